@@ -2,11 +2,10 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::light;
 use crate::index::shadowed::MOST_RANK;
 use crate::light::Light;
 use crate::q15;
-use crate::shadowed::ShadowedObject;
+use crate::shadowed::{ShadowedObject, row_bytes};
 
 /// The coefficients d of one channel: mantissas times a power of two.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,17 +31,17 @@ impl ShadowedObject<'_> {
             let mut sums = [0.0_f32; MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
                 let share = f32::from(share(part)) / 32_767.0;
-                for ((exponent, row), sum) in rows.components().zip(&mut sums) {
-                    let product: f32 = rows
-                        .degrees(row, coefficients)
-                        .map(|(shift, row, light)| {
-                            let products = row.iter().zip(light);
+                for (row, sum) in rows.zip(&mut sums) {
+                    let product: f32 = row
+                        .degrees(coefficients)
+                        .map(|(shift, mantissas, light)| {
+                            let products = mantissas.iter().zip(light);
                             let product: f32 =
                                 products.map(|(q, one)| f32::from(q.cast_signed()) * one).sum();
                             product * (1_u32 << shift) as f32
                         })
                         .sum();
-                    *sum += share * product * power(exponent);
+                    *sum += share * product * power(row.exponent);
                 }
             }
             Ok(ObjectCoefficients::of_floats(sums.get(..self.rank).unwrap_or_default()))
@@ -65,11 +64,11 @@ impl ShadowedObject<'_> {
             let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
                 let share = i64::from(share(part));
-                for ((exponent, row), sum) in rows.components().zip(&mut sums) {
-                    let product: i64 = rows
-                        .degrees(row, mantissas)
-                        .map(|(shift, row, light)| {
-                            let products = row.iter().zip(light);
+                for (row, sum) in rows.zip(&mut sums) {
+                    let product: i64 = row
+                        .degrees(mantissas)
+                        .map(|(shift, mantissas, light)| {
+                            let products = mantissas.iter().zip(light);
                             // At most 2^7 x 2^15 x 33.
                             let product: i32 = products
                                 .map(|(q, one)| i32::from(q.cast_signed()) * i32::from(one.0))
@@ -77,7 +76,7 @@ impl ShadowedObject<'_> {
                             i64::from(product) << shift
                         })
                         .sum();
-                    *sum = added(*sum, ((product * share) >> 15, exponent));
+                    *sum = added(*sum, ((product * share) >> 15, row.exponent));
                 }
             }
             let sums = sums.get(..self.rank).unwrap_or_default();
@@ -102,44 +101,39 @@ impl ShadowedObject<'_> {
     }
 
     /// The rows of each part.
-    fn parts(&self) -> impl Iterator<Item = PartRows<'_>> {
-        let size = 1 + light::count(self.degree());
-        let of_part = self.degree() + 1 + self.rank * size;
+    fn parts(&self) -> impl Iterator<Item = impl Iterator<Item = Row<'_>>> {
         // At least 1, so that no panic is linked.
-        self.rows.chunks_exact(of_part.max(1)).map(move |part| {
-            let (shifts, rows) = part.split_at_checked(self.degree() + 1).unwrap_or_default();
-            PartRows { shifts, rows, size: size.max(1) }
+        let size = row_bytes(self.degree()).max(1);
+        self.rows.chunks_exact((self.rank * size).max(1)).map(move |part| {
+            part.chunks_exact(size).map(|row| {
+                let (exponent, rest) = row.split_first().unwrap_or((&0, &[]));
+                let (shifts, mantissas) =
+                    rest.split_at_checked(self.degree() + 1).unwrap_or_default();
+                Row { exponent: i32::from(exponent.cast_signed()), shifts, mantissas }
+            })
         })
     }
 }
 
-/// The rows of a part of the material.
-struct PartRows<'a> {
+/// A row that gives a coefficient from a light.
+struct Row<'a> {
+    exponent: i32,
     shifts: &'a [u8],
-    rows: &'a [u8],
-    size: usize,
+    mantissas: &'a [u8],
 }
 
-impl<'a> PartRows<'a> {
-    /// The exponent and the mantissas of each component.
-    fn components(&self) -> impl Iterator<Item = (i32, &'a [u8])> {
-        self.rows.chunks_exact(self.size).map(|row| {
-            let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
-            (i32::from(exponent.cast_signed()), mantissas)
-        })
-    }
-
-    /// The shift of each degree of a light, its mantissas of a row and its coefficients.
+impl<'a> Row<'a> {
+    /// The shift of each degree of a light, its mantissas and its coefficients.
     fn degrees<T>(
         &self,
-        mut row: &'a [u8],
         mut light: &'a [T],
-    ) -> impl Iterator<Item = (u32, &'a [u8], &'a [T])> {
-        self.shifts.iter().enumerate().map_while(move |(l, shift)| {
+    ) -> impl Iterator<Item = (u32, &'a [u8], &'a [T])> + use<'a, T> {
+        let (shifts, mut mantissas) = (self.shifts, self.mantissas);
+        shifts.iter().enumerate().map_while(move |(l, shift)| {
             let orders = 2 * l + 1;
-            let (of_degree, rest) = row.split_at_checked(orders)?;
+            let (of_degree, rest) = mantissas.split_at_checked(orders)?;
             let (coefficients, others) = light.split_at_checked(orders)?;
-            (row, light) = (rest, others);
+            (mantissas, light) = (rest, others);
             // At most 12, as `new` has checked; the mask links no panic.
             Some((u32::from(*shift) & 15, of_degree, coefficients))
         })

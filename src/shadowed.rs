@@ -44,7 +44,7 @@ pub struct ShadowedObject<'a> {
     pub(crate) images: usize,
     /// Of each part of the material, its shares in the channels.
     pub(crate) shares: &'a [[u8; 6]],
-    /// Of each part, the shifts of the degrees, then of each component an exponent and mantissas.
+    /// Of each part and component an exponent, the shifts of the degrees, and mantissas.
     pub(crate) rows: &'a [u8],
     pub(crate) clusters: &'a [u8],
     words: Rows<'a, 2>,
@@ -87,9 +87,9 @@ impl<'a> ShadowedObject<'a> {
             return None;
         }
         let Some((shares, rest)) = rest.split_at_checked(6 * parts) else { return None };
-        let of_part = degree + 1 + rank * (1 + light::count(degree));
-        let Some((rows, rest)) = rest.split_at_checked(parts * of_part) else { return None };
-        if !have_shifts(rows, degree, of_part) {
+        let of_rows = parts * rank * row_bytes(degree);
+        let Some((rows, rest)) = rest.split_at_checked(of_rows) else { return None };
+        if !have_shifts(rows, degree) {
             return None;
         }
         let Some((clusters, rest)) = split_clusters(rest, count, codes, rank, images) else {
@@ -156,10 +156,16 @@ impl<'a> ShadowedObject<'a> {
     }
 }
 
-/// Whether the shifts of each part's degrees are within their range.
-const fn have_shifts(mut rows: &[u8], degree: usize, of_part: usize) -> bool {
-    while let Some((part, rest)) = rows.split_at_checked(of_part) {
-        let Some((mut shifts, _)) = part.split_at_checked(degree + 1) else { return false };
+/// The bytes of a row that gives a coefficient.
+pub(crate) const fn row_bytes(degree: usize) -> usize {
+    1 + (degree + 1) + light::count(degree)
+}
+
+/// Whether the shifts of each row are within their range.
+const fn have_shifts(mut rows: &[u8], degree: usize) -> bool {
+    while let Some((row, rest)) = rows.split_at_checked(row_bytes(degree)) {
+        let Some(([_, shifts @ ..], _)) = row.split_at_checked(degree + 2) else { return false };
+        let mut shifts: &[u8] = shifts;
         while let [shift, after @ ..] = shifts {
             if *shift > MOST_SHIFT {
                 return false;

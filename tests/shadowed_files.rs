@@ -47,7 +47,7 @@ fn wrong_structure_is_refused() {
         (17, 0),           // fewer images than there are
         (17, 2),           // images that are not there
         (17, 17),          // more images than the most
-        (24, 13),          // a shift beyond the largest
+        (25, 13),          // a shift beyond the largest
         (clusters, 1),     // fewer codes than there are
         (clusters + 1, 1), // codes that are not there
         (second, 2),       // more codes than the file has
@@ -77,7 +77,7 @@ fn wrong_structure_is_refused() {
         assert_eq!(ShadowedObject::new(&File { size, ..small() }.encode()), Err(Error::Object));
     }
     // Numbers, codes and coverages may be any; a larger width is an object with more background.
-    for place in [7, 18, 25, 26, clusters + 3, second - 1, words + 4, words + 15] {
+    for place in [7, 18, 24, 26, clusters + 3, second - 1, words + 4, words + 15] {
         let mut changed = bytes.clone();
         changed[place] = 0xf3;
         assert!(ShadowedObject::new(&changed).is_ok(), "{place}");

@@ -4,7 +4,7 @@ use eigenshade::object::ShadowedObject;
 use eigenshade::screen::{Display, Exposure, Linear, Target, Tone, blend565};
 use eigenshade::{Argument, Error, Light, Q15, Rgb, q15};
 use eigenshade_table::light;
-use eigenshade_table::shadowed::{Cluster, File, Pixel, Rows};
+use eigenshade_table::shadowed::{Cluster, File, Pixel, Row};
 
 static DISPLAY: Display = Display::new(Tone::Linear);
 
@@ -40,17 +40,16 @@ impl Numbers {
         clusters: &[(usize, i8)],
         pixels: Vec<Pixel>,
     ) -> File {
-        let row =
-            |numbers: &mut Self, j: usize| (-12 - j as i8 % 7, numbers.bytes(light::count(degree)));
-        let rows = |numbers: &mut Self| Rows {
+        let row = |numbers: &mut Self, j: usize| Row {
+            exponent: -12 - j as i8 % 7,
             shifts: (0..=degree).map(|_| (numbers.next() % 5) as u8).collect(),
-            of_components: (0..rank).map(|j| row(numbers, j)).collect(),
+            mantissas: numbers.bytes(light::count(degree)),
         };
         File {
             size: [7, 5],
             degree: degree as u8,
             shares: (0..parts).map(|_| self.words(3).try_into().unwrap()).collect(),
-            rows: (0..parts).map(|_| rows(self)).collect(),
+            rows: (0..parts).map(|_| (0..rank).map(|j| row(self, j)).collect()).collect(),
             clusters: clusters
                 .iter()
                 .map(|&(codes, exponent)| Cluster {
@@ -71,15 +70,16 @@ fn sum<A: Copy + Into<f64>, B: Copy + Into<f64>>((exponent, a): &(i8, Vec<A>), b
 
 /// The irradiances of the codes in a channel, from the numbers of a file.
 fn irradiances(file: &File, light: &[f32], channel: usize) -> Vec<f64> {
-    let mut d = vec![0.0; file.rows[0].of_components.len()];
+    let mut d = vec![0.0; file.rows[0].len()];
     for (share, rows) in file.shares.iter().zip(&file.rows) {
         let share = f64::from(share[channel]) / 32_767.0;
-        let shifted: Vec<f64> = light::indices(usize::from(file.degree))
-            .zip(light)
-            .map(|((l, _), one)| f64::from(*one) * f64::from(rows.shifts[l]).exp2())
-            .collect();
-        let rows = &rows.of_components;
-        d.iter_mut().zip(rows).for_each(|(d, row)| *d += share * sum(row, &shifted));
+        for (d, row) in d.iter_mut().zip(rows) {
+            let shifted: Vec<f64> = light::indices(usize::from(file.degree))
+                .zip(light)
+                .map(|((l, _), one)| f64::from(*one) * f64::from(row.shifts[l]).exp2())
+                .collect();
+            *d += share * sum(&(row.exponent, row.mantissas.clone()), &shifted);
+        }
     }
     let of_clusters = file.clusters.iter().map(|cluster| {
         let mean = sum(&cluster.mean, &d);
@@ -297,10 +297,12 @@ fn extreme_numbers_saturate() {
             file.shares.fill([number, i16::MAX, 1]);
             // The second part takes from the first what it gives.
             for (rows, byte) in file.rows.iter_mut().zip([byte, -byte.max(-i8::MAX), byte]) {
-                rows.shifts.fill(12);
-                rows.of_components.iter_mut().for_each(|(_, row)| row.fill(byte));
-                rows.of_components.iter_mut().step_by(3).for_each(|(of_row, _)| *of_row = exponent);
-                rows.of_components.iter_mut().step_by(2).for_each(|(of_row, _)| *of_row = other);
+                for row in rows.iter_mut() {
+                    row.shifts.fill(12);
+                    row.mantissas.fill(byte);
+                }
+                rows.iter_mut().step_by(3).for_each(|row| row.exponent = exponent);
+                rows.iter_mut().step_by(2).for_each(|row| row.exponent = other);
             }
             for (k, cluster) in file.clusters.iter_mut().enumerate() {
                 cluster.mean.1.fill(number);
@@ -337,16 +339,12 @@ fn extreme_numbers_saturate() {
 /// 200 bits.
 #[test]
 fn parts_that_cancel_leave_the_other_components() {
-    let row = |exponent, mantissa| (exponent, vec![mantissa]);
-    let rows = |of_components| Rows { shifts: vec![0], of_components };
+    let row = |exponent, mantissa| Row { exponent, shifts: vec![0], mantissas: vec![mantissa] };
     let file = File {
         size: [1, 1],
         degree: 0,
         shares: vec![[i16::MAX; 3]; 2],
-        rows: vec![
-            rows(vec![row(100, 100), row(-100, 100)]),
-            rows(vec![row(100, -100), row(-100, 0)]),
-        ],
+        rows: vec![vec![row(100, 100), row(-100, 100)], vec![row(100, -100), row(-100, 0)]],
         clusters: vec![Cluster {
             mean: (100, vec![20_000; 2]),
             images: vec![],
@@ -362,6 +360,6 @@ fn parts_that_cancel_leave_the_other_components() {
 fn the_dimmest_lights_keep_their_size() {
     let mut file = Numbers(8).file([0, 1, 1, 0], &[(1, 0)], vec![]);
     file.shares.fill([i16::MAX; 3]);
-    file.rows = vec![Rows { shifts: vec![0], of_components: vec![(-20, vec![1 << 6])] }];
+    file.rows = vec![vec![Row { exponent: -20, shifts: vec![0], mantissas: vec![1 << 6] }]];
     check(&file, [&[2_f32.powi(-100)]; 3], 0..1);
 }

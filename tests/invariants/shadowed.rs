@@ -5,7 +5,7 @@ use eigenshade::object::ShadowedObject;
 use eigenshade::screen::{Display, Exposure, Target, Tone, blend565};
 use eigenshade::{Light, Q15, Rgb, q15};
 use eigenshade_table::light;
-use eigenshade_table::shadowed::{Cluster, File, Pixel, Rows};
+use eigenshade_table::shadowed::{Cluster, File, Pixel, Row};
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
@@ -58,9 +58,10 @@ fn file(input: &mut Reader<'_>) -> File {
         (0..count).map(|_| input.byte().cast_signed()).collect::<Vec<_>>()
     };
     let exponent = |input: &mut Reader<'_>| input.byte().cast_signed();
-    let rows = |input: &mut Reader<'_>| Rows {
+    let row = |input: &mut Reader<'_>| Row {
+        exponent: exponent(input),
         shifts: (0..=degree).map(|_| input.up_to(12) as u8).collect(),
-        of_components: (0..rank).map(|_| (exponent(input), bytes(input, count))).collect(),
+        mantissas: bytes(input, count),
     };
     let clusters: Vec<_> = (0..1 + input.up_to(2))
         .map(|_| Cluster {
@@ -84,7 +85,7 @@ fn file(input: &mut Reader<'_>) -> File {
         size,
         degree: degree as u8,
         shares: (0..parts).map(|_| [(); 3].map(|()| i16::from_le_bytes(input.bytes()))).collect(),
-        rows: (0..parts).map(|_| rows(input)).collect(),
+        rows: (0..parts).map(|_| (0..rank).map(|_| row(input)).collect()).collect(),
         clusters,
         pixels,
     }

@@ -50,7 +50,7 @@ static void check_encodings(void) {
 
 /* A gray object of 1 x 1 pixels, degree 0 and one code. */
 static uint8_t bytes[46] = {'e', 'i', 'g', 's', 'h', 2, 1, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 0,
-                            255, 127, 255, 127, 255, 127, 0, 248, 64,  /* the share, a shift and the row */
+                            255, 127, 255, 127, 255, 127, 248, 0, 64,  /* the share and the row */
                             1, 0, 242, 0, 64,                          /* the cluster */
                             0, 0, 0, 0, 3, 0, 0, 0,                    /* the rows of pixels */
                             0, 0, 1, 0, 0, 0};

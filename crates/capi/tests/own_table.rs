@@ -67,7 +67,7 @@ fn c_draws_with_the_table_of_a_scene() {
     let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214)).expect("a normal");
     let found = scene.shade(normal);
     let expected = format!(
-        "its table\nthe degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it\n\
+        "its table\nthe degree of the light is above that of the table or object; leave out the coefficients above\n\
          success\n{} {} {}\n",
         found.r, found.g, found.b
     );

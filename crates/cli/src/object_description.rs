@@ -42,7 +42,7 @@ fn with_shadows(bytes: &[u8]) -> Description {
     let [degree, parts, rank, images] = [14, 15, 16, 17].map(|place| usize::from(bytes[place]));
     let header = 18;
     let shares = 6 * parts;
-    let of_light = parts * (degree + 1 + rank * (1 + light::count(degree)));
+    let of_light = parts * rank * (degree + 2 + light::count(degree));
     let mut end = header + shares + of_light;
     let start = end;
     for _ in 0..clusters {

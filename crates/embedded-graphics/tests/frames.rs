@@ -77,7 +77,7 @@ fn an_object_with_shadows_is_drawn_from_the_colors_of_its_codes() {
         b"eigsh\x02\x03\0\x01\0\x02\0\x02\0", // 3 x 1 pixels, 2 codes in 2 clusters
         &[0, 1, 1, 0],                        // degree 0, one part, rank 1, no images
         &[0xff, 0x7f, 0, 0x40, 0, 0],         // orange
-        &[0, 0xf8, 0x40],                     // a shift of 0, and a row: 2^6 x 2^-8
+        &[0xf8, 0, 0x40],                     // a row without a shift: 2^6 x 2^-8
         &[1, 0, 0xf2, 0, 0x40],               // a cluster of one code: 2^14 x 2^-14
         &[1, 0, 0xf1, 0, 0x40],               // another: 2^14 x 2^-15
         &[0, 0, 0, 0, 7, 0, 0, 0, 1, 0, 1, 0, 0, 0, 2, 0, 1, 0x80, 1, 0, 128, 0],

@@ -112,7 +112,7 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// The order of so many coefficients, at most [`MOST_ORDER`].
+/// The order of a number of coefficients, at most [`MOST_ORDER`].
 pub(crate) fn order(coefficients: &[f64]) -> usize {
     let fits = |&order: &usize| material::count(order) >= coefficients.len();
     (0..MOST_ORDER).find(fits).unwrap_or(MOST_ORDER)

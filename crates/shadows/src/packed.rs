@@ -3,8 +3,8 @@
 use crate::codebook::{Cluster, Codebook, codebook};
 use crate::eigenimages::Eigenimages;
 use eigenshade_table::light;
-use eigenshade_table::shadowed::{self, File, MOST_IMAGES, MOST_SHIFT, Pixel, Rows};
-use faer::{Mat, MatRef};
+use eigenshade_table::shadowed::{self, File, MOST_IMAGES, MOST_SHIFT, Pixel, Row};
+use faer::Mat;
 
 /// How an object is compressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,12 @@ pub fn packed(
         images.pixels[(row, k)] as f32
     });
     let book = codebook(rows.as_ref(), codes.min(65_535), clusters, own);
+    let scales = scales(&images.rows);
+    let of_part = |rows: &Mat<f64>| -> Vec<Row> {
+        let numbers =
+            |j: usize| rows.row(j).iter().map(|one| one * scales[j]).collect::<Vec<f64>>();
+        (0..rows.nrows()).map(|j| row(&numbers(j), degree)).collect()
+    };
     let file = File {
         size: [size as u16; 2],
         degree: degree as u8,
@@ -49,8 +55,8 @@ pub fn packed(
             .iter()
             .map(|share| share.map(|one| (32_767.0 * one.clamp(-1.0, 1.0)).round() as i16))
             .collect(),
-        rows: images.rows.iter().map(|rows| of_part(rows.as_ref(), degree)).collect(),
-        clusters: book.clusters.iter().map(|cluster| quantized(cluster, own)).collect(),
+        rows: images.rows.iter().map(of_part).collect(),
+        clusters: book.clusters.iter().map(|cluster| quantized(cluster, own, &scales)).collect(),
         pixels: pixels
             .iter()
             .zip(&book.of_pixel)
@@ -65,29 +71,42 @@ pub fn packed(
     (file, book)
 }
 
-/// The rows of a part. Light has less of high degrees, whose numbers are larger for it: each degree is
-/// shifted, so that all have numbers of about the same size.
-fn of_part(rows: MatRef<'_, f64>, degree: usize) -> Rows {
-    let largest: Vec<f64> = (0..=degree)
-        .map(|l| {
-            let of_degree = rows.subcols(l * l, 2 * l + 1);
-            of_degree.norm_max()
-        })
-        .collect();
-    let least = largest.iter().copied().filter(|one| *one > 0.0).fold(f64::INFINITY, f64::min);
-    let shift = |one: &f64| (one / least).log2().round().clamp(0.0, f64::from(MOST_SHIFT)) as u8;
-    let shifts: Vec<u8> = largest.iter().map(shift).collect();
-    let shifted = |j: usize| -> Vec<f64> {
-        let numbers = light::indices(degree).zip(rows.row(j).iter());
-        numbers.map(|((l, _), one)| one / f64::from(1 << shifts[l])).collect()
+/// The units of the coefficients. All light has much of degree 0, and the number of a row for it is a
+/// power of two in its coefficient's unit, without a rounding error.
+fn scales(rows: &[Mat<f64>]) -> Vec<f64> {
+    let components = rows.first().map_or(0, Mat::nrows);
+    let scale = |j: usize| {
+        let ambient = rows.iter().fold(0.0, |most: f64, part| most.max(part[(j, 0)].abs()));
+        if ambient > 0.0 { ambient.log2().round().exp2() / ambient } else { 1.0 }
     };
-    let of_components = (0..rows.nrows()).map(|j| bytes(&shifted(j))).collect();
-    Rows { shifts, of_components }
+    (0..components).map(scale).collect()
 }
 
-/// A cluster with exactly `own` images.
-fn quantized(cluster: &Cluster, own: usize) -> shadowed::Cluster {
-    let wide = |row: &[f32]| row.iter().map(|&one| f64::from(one)).collect::<Vec<f64>>();
+/// A row that gives a coefficient from a light. Light has less of high degrees, whose numbers are larger
+/// for it, and a row may have much of one: each degree has its own unit, down to 2^-12 of the largest.
+fn row(numbers: &[f64], degree: usize) -> Row {
+    let of_degree = |l: usize| &numbers[l * l..(l + 1) * (l + 1)];
+    let exponents: Vec<i8> = (0..=degree).map(|l| bytes(of_degree(l)).0).collect();
+    let used = (0..=degree).filter(|&l| of_degree(l).iter().any(|&one| one != 0.0));
+    let largest = used.clone().map(|l| exponents[l]).max().unwrap_or(0);
+    let least = used.map(|l| exponents[l]).min().unwrap_or(0);
+    let exponent = least.max(largest.saturating_sub(MOST_SHIFT as i8));
+    let shifts: Vec<u8> = exponents
+        .iter()
+        .map(|one| one.saturating_sub(exponent).clamp(0, MOST_SHIFT as i8).cast_unsigned())
+        .collect();
+    let mantissas = light::indices(degree).zip(numbers).map(|((l, _), one)| {
+        let unit = f64::from(i32::from(exponent) + i32::from(shifts[l])).exp2();
+        (one / unit).round().clamp(-127.0, 127.0) as i8
+    });
+    Row { exponent, mantissas: mantissas.collect(), shifts }
+}
+
+/// A cluster with exactly `own` images, for coefficients in these units.
+fn quantized(cluster: &Cluster, own: usize, scales: &[f64]) -> shadowed::Cluster {
+    let wide = |row: &[f32]| -> Vec<f64> {
+        row.iter().zip(scales).map(|(&one, scale)| f64::from(one) / scale).collect()
+    };
     let rank = cluster.mean.len();
     let mut images: Vec<(i8, Vec<i8>)> =
         cluster.images.iter().map(|image| bytes(&wide(image))).collect();

@@ -42,7 +42,7 @@ struct Group {
     normal: [f64; 3],
     /// Their share of the pixel's points.
     share: f64,
-    /// What they see in each cell of rays.
+    /// The light or patch that they see in each cell of rays.
     seen: Vec<Sight>,
 }
 

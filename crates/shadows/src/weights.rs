@@ -42,7 +42,7 @@ impl Columns<'_> {
 }
 
 impl Weights {
-    /// No weights, for this light, and so many patches and pixels.
+    /// Zeros for a light and these numbers of patches and pixels.
     pub fn new(light: Columns<'_>, patches: usize, pixels: usize) -> Self {
         let harmonics = light.harmonics();
         let cells = light.all.nrows();

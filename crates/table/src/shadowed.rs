@@ -10,7 +10,7 @@
 //! | 8 | width, height, number of codes, number of clusters: 16 bits each |
 //! | 4 | degree, number of parts of the material, r, K: 8 bits each |
 //! | 6 for each part | its share in red, green and blue: 16 bits each, in units of 1 / 32,767 |
-//! | degree + 1 + (1 + n) r for each part | a shift of at most 12 for each degree; then for each component the exponent of a row, and its n mantissas: 8 bits each |
+//! | degree + 2 + n for each part and component | the exponent of a row, a shift of at most 12 for each degree, and n mantissas: 8 bits each |
 //! | clusters | for each: the number of its codes, 16 bits; the exponents of its mean and of its K images, 8 bits each; the mean, r mantissas of 16 bits; the images, K r mantissas of 8 bits; K weights of 8 bits for each code |
 //! | 4 for each row of pixels, and 4 | the number of the row's first word, counted from the end of this table; the last one is the number of words |
 //! | 2 for each word | of each row its runs from left to right: the first column, the number of pixels, plus 2^15 if their coverage follows, then for each pixel its code and, if so, its coverage of 255 |
@@ -35,7 +35,7 @@ pub const MOST_SHIFT: u8 = 12;
 pub const RIM: u16 = 1 << 15;
 
 #[cfg(feature = "alloc")]
-pub use encoding::{Cluster, File, Pixel, Rows};
+pub use encoding::{Cluster, File, Pixel, Row};
 
 #[cfg(feature = "alloc")]
 mod encoding {
@@ -51,21 +51,23 @@ mod encoding {
         pub degree: u8,
         /// The shares of the parts of the material in units of 1 / 32,767.
         pub shares: Vec<[i16; 3]>,
-        /// For each part the rows that give the coefficients of components.
-        pub rows: Vec<Rows>,
+        /// For each part, for each component, the row that gives its coefficient.
+        pub rows: Vec<Vec<Row>>,
         /// The clusters.
         pub clusters: Vec<Cluster>,
         /// The pixels in the order of their rows and columns.
         pub pixels: Vec<Pixel>,
     }
 
-    /// The rows of a part of the material.
+    /// A row that gives a coefficient from a light.
     #[derive(Clone, Debug, Default, PartialEq)]
-    pub struct Rows {
+    pub struct Row {
+        /// The exponent of all numbers.
+        pub exponent: i8,
         /// For each degree, the exponent of 2 by which its numbers are larger.
         pub shifts: Vec<u8>,
-        /// For each component, an exponent and n mantissas.
-        pub of_components: Vec<(i8, Vec<i8>)>,
+        /// n mantissas.
+        pub mantissas: Vec<i8>,
     }
 
     /// A cluster of codes.
@@ -96,7 +98,7 @@ mod encoding {
         /// The bytes.
         #[must_use]
         pub fn encode(&self) -> Vec<u8> {
-            let rank = self.rows.first().map_or(0, |rows| rows.of_components.len());
+            let rank = self.rows.first().map_or(0, Vec::len);
             let images = self.clusters.first().map_or(0, |cluster| cluster.images.len());
             let codes: usize = self.clusters.iter().map(|one| one.weights.len()).sum();
             let mut bytes = MAGIC.to_vec();
@@ -106,12 +108,10 @@ mod encoding {
             }
             bytes.extend([self.degree, self.shares.len() as u8, rank as u8, images as u8]);
             bytes.extend(self.shares.iter().flatten().flat_map(|one| one.to_le_bytes()));
-            for rows in &self.rows {
-                bytes.extend(&rows.shifts);
-                for (exponent, mantissas) in &rows.of_components {
-                    bytes.push(exponent.cast_unsigned());
-                    bytes.extend(mantissas.iter().map(|one| one.cast_unsigned()));
-                }
+            for row in self.rows.iter().flatten() {
+                bytes.push(row.exponent.cast_unsigned());
+                bytes.extend(&row.shifts);
+                bytes.extend(row.mantissas.iter().map(|one| one.cast_unsigned()));
             }
             for cluster in &self.clusters {
                 bytes.extend((cluster.weights.len() as u16).to_le_bytes());

@@ -35,9 +35,12 @@ pub fn shadowed() -> Result<Vec<u8>> {
         weights: (0..128).map(|_| (0..8).map(|_| next() as i8).collect()).collect(),
     };
     let clusters = (0..32).map(|_| cluster()).collect();
-    let row = |_| (-12, (0..289).map(|_| next() as i8).collect());
-    let of_components = (0..RANK).map(row).collect();
-    let rows = vec![shadowed::Rows { shifts: vec![0; 17], of_components }];
+    let row = |_| shadowed::Row {
+        exponent: -12,
+        shifts: vec![0; 17],
+        mantissas: (0..289).map(|_| next() as i8).collect(),
+    };
+    let rows = vec![(0..RANK).map(row).collect()];
     let disc = Disc::new(96).map_err(|error| error.to_string())?;
     let pixels = disc.map(|pixel| shadowed::Pixel {
         column: pixel.column() as u16,

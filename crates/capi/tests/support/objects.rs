@@ -54,10 +54,9 @@ fn shadowed(size: u16, rank: usize, images: usize, codes: &[usize]) -> Result<Ve
     let mut row = || {
         let of_light =
             (0..light::count(9)).map(|k| (number() >> if k == 0 { 9 } else { 11 }) as i8);
-        (-12, of_light.collect())
+        shadowed::Row { exponent: -12, shifts: vec![0; 10], mantissas: of_light.collect() }
     };
-    let of_components = (0..rank).map(|_| row()).collect();
-    let rows = vec![shadowed::Rows { shifts: vec![0; 10], of_components }];
+    let rows = vec![(0..rank).map(|_| row()).collect()];
     let clusters = codes.iter().zip([-14, -15].into_iter().cycle()).map(|(&codes, exponent)| {
         shadowed::Cluster {
             mean: (exponent, (0..rank).map(|_| number()).collect()),

@@ -96,16 +96,16 @@ impl Export {
         let none = Materials { order: 0, entries: Vec::new() };
         let order = table.gram.order;
         let of_file = material.map_or(Ok(none), |one| one.materials(order))?;
-        let (mut taken, materials) = fitted(&table, &lights, &of_file);
-        if let (Some(degree), Some(source)) = (self.degree, light) {
-            if degree > lights.degree {
+        let (of_table, materials) = fitted(&table, &lights, &of_file);
+        let lights = match (self.degree, light) {
+            (Some(degree), Some(source)) if degree > lights.degree => {
                 let what = format!("the light has degree {}, not {degree}", lights.degree);
                 let remedy = "project it again with `eigenshade light --degree`";
                 return Err(Error::new(what, remedy).in_file(source.path()));
             }
-            taken = lights.truncated(degree);
-        }
-        let lights = taken;
+            (Some(degree), _) => lights.truncated(degree),
+            (None, _) => of_table,
+        };
         let pairs = lights.entries.len() * materials.entries.len();
         let read = |path| Shown::read(input_file(path), self.size, self.green.is_flipped);
         let shown = self.normals.as_ref().map(read).transpose()?;

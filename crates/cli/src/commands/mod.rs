@@ -5,6 +5,7 @@ mod basis;
 mod choices;
 mod demo;
 mod demo_relief;
+mod drawing;
 mod evaluate;
 mod export;
 mod highlights;

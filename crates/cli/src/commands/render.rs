@@ -1,6 +1,7 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
+use super::drawing::Drawing;
 use super::highlights::{HighlightInputs, estimate_note, needed};
 use super::options::{
     Green, Inputs, Pose, Sources, TableChoice, WindowChoice, choice, count, exposure, input_file,
@@ -21,7 +22,6 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::overflow;
 use eigenshade_model::window::Window;
-use eigenshade_shading::estimate::counted;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::picture::Development;
 use eigenshade_shading::picture::Pixel;
@@ -31,7 +31,6 @@ use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_
 use eigenshade_table::effect::Effects;
 use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
-use std::fmt::{Display, Formatter};
 use std::path::{Path, PathBuf};
 
 /// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
@@ -265,26 +264,6 @@ impl Render {
 
 /// The table that the runtime contains.
 const DEFAULT_TABLE: &str = "sphere";
-
-/// What a picture was drawn with: the message that names it.
-pub struct Drawing<'a> {
-    pub table: &'a Path,
-    pub components: usize,
-    pub sources: usize,
-    pub window: Window,
-}
-
-impl Display for Drawing<'_> {
-    fn fmt(&self, out: &mut Formatter<'_>) -> std::fmt::Result {
-        let (table, components) = (self.table.display(), self.components);
-        let sources = counted(self.sources);
-        write!(out, "drawn with table {table} ({components} components), {sources}, ")?;
-        match self.window {
-            Window::SincFourth { width } => write!(out, "a window of width {width:.1}"),
-            Window::None => write!(out, "no window"),
-        }
-    }
-}
 
 /// One light on one material.
 pub struct Pair<'a> {

@@ -1,7 +1,8 @@
 //! `eigenshade render` of an object with materials of its own.
 
+use super::drawing::Drawing;
 use super::options::{Sources, WindowChoice, input_file};
-use super::render::{Drawing, Format, Render};
+use super::render::{Format, Render};
 use super::shadows;
 use eigenshade_asset::asset::Asset;
 use eigenshade_asset::picture::{Picture, Settings};

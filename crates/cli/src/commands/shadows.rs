@@ -109,7 +109,7 @@ impl Parts {
     }
 }
 
-/// What `draw` makes of the surface of a mesh, the parts of a material and a progress bar.
+/// Calls `draw` with the surface of a mesh, the parts of a material and a progress bar.
 pub fn drawn<T>(
     file: &InputFile,
     view: &View,

@@ -40,7 +40,7 @@ fn surface(mesh: &Mesh, is_flat: bool) -> Surface {
     Surface::new(&"a mesh".into(), mesh, &view).unwrap()
 }
 
-/// An object whose surface reflects light so many times.
+/// An object, with a number of reflections between its parts.
 fn object(surface: &Surface, size: usize, material: Material<'_>, bounces: usize) -> Object {
     let pixels = Pixels::new(surface, size).unwrap();
     let occluders = Occluders::new(&surface.facets);
@@ -125,14 +125,15 @@ fn small_objects_and_ranks_are_drawn() {
     let object = bowl();
     let all = Compression { codes: 65_535, ..Compression::default() };
     // A rank of the number of pixels at most; more clusters and images than codes.
-    for pixels in [&[150][..], &[150, 160], &[20, 150, 160, 170, 180]] {
+    // The second is that of rows of 8 bits; the first has one number that matters, which is exact.
+    for (pixels, bound) in [(&[150][..], 0.1), (&[150, 160], 0.2), (&[20, 150, 160, 170, 180], 0.5)]
+    {
         let few = cases::rows(&object, pixels);
         let images = images(&few, RANK);
         assert_eq!(images.pixels.ncols(), pixels.len());
         let (rms, codes) = drawn(&few, &images, all);
         println!("{} pixels: {rms:.3} %", pixels.len());
-        // The rows of the light have 8 bits.
-        assert!(rms < 0.5 && codes.len() == pixels.len());
+        assert!(rms < bound && codes.len() == pixels.len());
     }
     // Equal pixels share a code.
     let equal = cases::rows(&object, &[150, 20, 150, 160, 150, 20]);
@@ -156,8 +157,7 @@ fn small_objects_and_ranks_are_drawn() {
     let least = shadowed(&surface(&mesh(), false), 2, &Ggx::new(0.5, 0.9, 0.0).unwrap());
     let (rms, _) = drawn(&least, &images(&least, RANK), all);
     println!("{} pixels: {rms:.3} %", least.pixels.len());
-    // Of nearly ambient light, the rows have one large number, and 8 bits for the others beside it.
-    assert!(rms < 1.6);
+    assert!(rms < 0.5);
 }
 
 #[test]
@@ -221,6 +221,6 @@ fn errors_are_within_the_stated_ones() {
     for material in ["matte", "plastic 0.3"] {
         assert!(largest("studio", material, "transports") < 13.5);
     }
-    assert!(largest("studio", "metal 0.5", "codes") < 28.5);
+    assert!(largest("studio", "metal 0.5", "codes") < 26.5);
     assert!(largest("tilted_rms", "metal 0.3", "transports") < 3.0);
 }

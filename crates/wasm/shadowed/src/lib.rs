@@ -30,7 +30,7 @@ const MOST: usize = (DEGREE + 1) * (DEGREE + 1);
 static DISPLAYS: [Display; 3] =
     [Display::new(Tone::Linear), Display::new(Tone::Reinhard), Display::new(Tone::Filmic)];
 
-/// What the page places in memory, by addresses, which are multiples of 4.
+/// Addresses of the memory that the page fills, and the turn of the light. Addresses are multiples of 4.
 #[repr(C)]
 struct Places {
     /// A file of `eigenshade pack-object --shadows`, and its length.
