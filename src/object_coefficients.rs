@@ -18,8 +18,8 @@ pub struct ObjectCoefficients {
 impl ShadowedObject<'_> {
     /// d of a light on the object's material.
     ///
-    /// Cost: (degree + 1)² products for each component, part of the material and channel: 64 x 289 x 3
-    /// for a gray material and a light of degree 16.
+    /// Cost: (degree + 1)² products for each component, channel, and part of the material in it: 64 x 289
+    /// x 3 for one of one part in each channel and a light of degree 16.
     ///
     /// # Errors
     ///
@@ -29,7 +29,7 @@ impl ShadowedObject<'_> {
             let coefficients = light.coefficients();
             Error::check_beyond(Argument::Light, self.degree(), light.degree())?;
             let mut sums = [0.0_f32; MOST_RANK];
-            for (part, rows) in self.parts().enumerate() {
+            for (part, rows) in self.parts().enumerate().filter(|(part, _)| share(*part) != 0) {
                 let share = f32::from(share(part)) / 32_767.0;
                 for (row, sum) in rows.zip(&mut sums) {
                     let product: f32 = row
@@ -62,7 +62,7 @@ impl ShadowedObject<'_> {
             Error::check_beyond(Argument::Light, self.degree(), light.degree)?;
             // Of each component a sum, of at most 44 bits for each part, and its exponent.
             let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
-            for (part, rows) in self.parts().enumerate() {
+            for (part, rows) in self.parts().enumerate().filter(|(part, _)| share(*part) != 0) {
                 let share = i64::from(share(part));
                 for (row, sum) in rows.zip(&mut sums) {
                     let product: i64 = row
