@@ -27,8 +27,9 @@ fn main() {
         if env::var("TARGET").is_ok_and(|target| target == "thumbv6m-none-eabi") {
             // Memory of the machine that runs them.
             for large in list::programs().iter().filter(|program| program.is_large()) {
-                let stack = "--defsym=_stack_start=0x20010000";
-                println!("cargo::rustc-link-arg-bin={}={stack}", large.name());
+                for memory in ["_stack_start=0x20010000", "_flash_size=0x400000"] {
+                    println!("cargo::rustc-link-arg-bin={}=--defsym={memory}", large.name());
+                }
             }
         }
     }

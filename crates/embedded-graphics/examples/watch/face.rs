@@ -1,22 +1,22 @@
-//! The face of a watch: a blue dial with an embossed golden emblem and hands, on a display of
-//! 128 x 128 or of 240 x 240 pixels. The light turns as the wrist does.
+//! The face of a watch: a blue dial around a golden relief, whose hands throw shadows on it, on a
+//! display of 128 x 128 or of 240 x 240 pixels. The light turns as the wrist does.
 //!
 //! The program of `main.rs` draws it, tests do, and so do the programs of emulated boards.
 #![allow(dead_code, reason = "each of them draws in one number format or in both")]
 
 use core::convert::Infallible;
 use eigenshade::Error;
-use eigenshade::object::NormalMap;
-use eigenshade::screen::{Display, Nodes, Palette, Tone};
+use eigenshade::object::{NormalMap, ShadowedObject};
+use eigenshade::screen::{Display, Exposure, Nodes, Palette, Pixel, Tone};
 use eigenshade_embedded_graphics::{DisplayColor, Frame, Layer};
+use embedded_graphics_core::Drawable as _;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor as _};
 use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::{Drawable as _, Pixel};
 
-/// The normals of a watch, and its measures in pixels.
+/// The normals of a dial, a relief with shadows, and their measures in pixels.
 #[derive(Debug)]
 pub struct Face {
     /// The side of the display.
@@ -28,7 +28,7 @@ pub struct Face {
     /// The width of the marks.
     pub mark: u32,
     dial_codes: &'static [u8],
-    relief_codes: &'static [u8],
+    relief_file: &'static [u8],
 }
 
 /// On a display of 128 x 128 pixels.
@@ -38,7 +38,7 @@ pub static SMALL: Face = Face {
     bezel: 8,
     mark: 4,
     dial_codes: include_bytes!("dial_128.bin"),
-    relief_codes: include_bytes!("relief_128.bin"),
+    relief_file: include_bytes!("relief_128.bin"),
 };
 
 /// On a display of 240 x 240 pixels.
@@ -48,20 +48,31 @@ pub static LARGE: Face = Face {
     bezel: 15,
     mark: 7,
     dial_codes: include_bytes!("dial_240.bin"),
-    relief_codes: include_bytes!("relief_240.bin"),
+    relief_file: include_bytes!("relief_240.bin"),
 };
 
 impl Face {
-    /// The normals of the dial and of the relief.
+    /// The normals of the dial.
     ///
     /// # Errors
     ///
-    /// None: the sizes are right.
-    pub fn maps(&self) -> Result<[NormalMap<'static>; 2], Error> {
-        let map = |side: u32, codes| NormalMap::new(side as usize, side as usize, codes);
-        Ok([map(self.size, self.dial_codes)?, map(self.relief, self.relief_codes)?])
+    /// None: the size is right.
+    pub fn dial(&self) -> Result<NormalMap<'static>, Error> {
+        NormalMap::new(self.size as usize, self.size as usize, self.dial_codes)
+    }
+
+    /// The relief.
+    ///
+    /// # Errors
+    ///
+    /// None: the file is right.
+    pub fn relief(&self) -> Result<ShadowedObject<'static>, Error> {
+        ShadowedObject::new(self.relief_file)
     }
 }
+
+/// The colors of the larger relief.
+pub const COLORS: usize = 2700;
 
 /// Frames until the wrist is back where it was.
 pub const FRAMES: i32 = 24;
@@ -70,7 +81,7 @@ static DISPLAY: Display = Display::new(Tone::Filmic);
 
 /// The checksums of [`integers`] on a [`Panel`] of both sizes, every sixth frame from the first on:
 /// the same on every machine.
-pub const CHECKSUMS: [u32; 2] = [0x2bc9_a17e, 0xb8b0_1237];
+pub const CHECKSUMS: [u32; 2] = [0xf614_c26d, 0x91bc_1543];
 
 /// How bright the picture is.
 const EXPOSURE: f32 = 2.0;
@@ -85,38 +96,40 @@ fn wrist(frame: i32) -> [i32; 4] {
     [angle, 2 * angle, -angle, 5 * quarter * quarter]
 }
 
-/// The normals, materials and palettes of the dial and of the relief: all memory between frames.
-/// `T` is the transfer of a material in a number format.
+/// The dial with its material and palette, and the relief with the colors of its codes: all memory
+/// between frames. `T` is the transfer of a material in a number format, `P` a pixel of the display.
 #[derive(Debug)]
-pub struct Watch<T> {
-    maps: [NormalMap<'static>; 2],
-    nodes: [Nodes; 2],
-    transfers: [T; 2],
-    palettes: [Palette; 2],
+pub struct Watch<T, P> {
+    dial: NormalMap<'static>,
+    nodes: Nodes,
+    transfer: T,
+    palette: Palette,
+    relief: ShadowedObject<'static>,
+    colors: [P; COLORS],
 }
 
-impl<T> Watch<T> {
-    /// A watch whose palettes are black.
-    fn new(face: &Face, transfers: [T; 2]) -> Result<Self, Error> {
-        let maps = face.maps()?;
-        let nodes = maps.map(|map| map.nodes());
-        Ok(Self { maps, nodes, transfers, palettes: [Palette::BLACK; 2] })
+impl<T, P: Pixel + Default> Watch<T, P> {
+    /// A watch whose colors are black.
+    fn new(face: &Face, transfer: T) -> Result<Self, Error> {
+        let (dial, relief) = (face.dial()?, face.relief()?);
+        let (palette, colors) = (Palette::BLACK, [P::default(); COLORS]);
+        Ok(Self { dial, nodes: dial.nodes(), transfer, palette, relief, colors })
     }
 
-    /// Draws the dial and the relief above it from the palettes.
+    /// Draws the dial and the relief above it.
     ///
     /// # Errors
     ///
     /// The display's.
-    pub fn draw<D: DrawTarget<Color: DisplayColor + From<Rgb565>>>(
-        &self,
-        target: &mut D,
-    ) -> Result<(), D::Error> {
-        let ([dial, relief], [blue, gold]) = (self.maps, &self.palettes);
+    pub fn draw<D>(&self, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color: DisplayColor<Pixel = P> + From<Rgb565>>,
+    {
+        let (dial, relief) = (self.dial, &self.relief);
         let corner = (dial.width() - relief.width()) as i32 / 2;
         let layers = [
-            Layer::new(Point::zero(), dial, blue),
-            Layer::new(Point::new(corner, corner), relief, gold),
+            Layer::new(Point::zero(), dial, &self.palette),
+            Layer::shadowed(Point::new(corner, corner), relief, &self.colors),
         ];
         let size = Size::new(dial.width() as u32, dial.height() as u32);
         let area = Rectangle::new(Point::zero(), size);
@@ -157,9 +170,9 @@ impl DrawTarget for Panel {
 
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
     where
-        I: IntoIterator<Item = Pixel<Rgb565>>,
+        I: IntoIterator<Item = embedded_graphics_core::Pixel<Rgb565>>,
     {
-        for Pixel(place, color) in pixels {
+        for embedded_graphics_core::Pixel(place, color) in pixels {
             self.fill_contiguous(&Rectangle::new(place, Size::new_equal(1)), [color])?;
         }
         Ok(())
@@ -178,37 +191,37 @@ impl DrawTarget for Panel {
     }
 }
 
-/// The functions of a module that draws in a number format. The module has the light and
-/// the materials in it; `$wrist` gives the quaternion of a frame.
+/// The functions of a module that draws in a number format. The module has the light and the material
+/// in it; `$coefficients` gives those of the relief, and `$wrist` the quaternion of a frame.
 macro_rules! frames {
-    ($wrist:expr) => {
-        /// A watch whose palettes are black.
+    ($coefficients:ident, $wrist:expr) => {
+        /// A watch whose colors are black.
         ///
         /// # Errors
         ///
         /// None: the sizes are right.
-        pub fn watch(face: &Face) -> Result<Watch<color::Transfer>, Error> {
-            let transfers =
-                [color::transfer(BLUE_METALLIC_PAINT2)?, color::transfer(GOLD_METALLIC_PAINT)?];
-            Watch::new(face, transfers)
+        pub fn watch<P: Pixel + Default>(face: &Face) -> Result<Watch<color::Transfer, P>, Error> {
+            Watch::new(face, color::transfer(BLUE_METALLIC_PAINT2)?)
         }
 
-        /// Lights a frame: turns the light, and fills both palettes.
+        /// Lights a frame: turns the light, fills the palette of the dial, and the colors of the relief.
         ///
         /// # Errors
         ///
         /// None: the rotation has a direction.
-        pub fn relight(frame: i32, watch: &mut Watch<color::Transfer>) -> Result<(), Error> {
+        pub fn relight<P: Pixel>(
+            frame: i32,
+            watch: &mut Watch<color::Transfer, P>,
+        ) -> Result<(), Error> {
             let light = light(frame)?;
-            let palettes = watch.palettes.iter_mut().zip(&watch.nodes).zip(&watch.transfers);
-            for ((palette, nodes), transfer) in palettes {
-                let scene = color::relight(transfer, light.lights()?)?;
-                let exposure = scene.exposure_by_factor(EXPOSURE)?;
-                palette.fill_mirrored(nodes, &DISPLAY, |normal| {
-                    scene.shade_mirrored(normal).map(|color| exposure.of(color))
-                });
-            }
-            Ok(())
+            let scene = color::relight(&watch.transfer, light.lights()?)?;
+            let exposure = scene.exposure_by_factor(EXPOSURE)?;
+            watch.palette.fill_mirrored(&watch.nodes, &DISPLAY, |normal| {
+                scene.shade_mirrored(normal).map(|color| exposure.of(color))
+            });
+            let d = watch.relief.$coefficients(light.lights()?)?;
+            let colors = watch.colors.get_mut(..watch.relief.codes()).unwrap_or_default();
+            watch.relief.colors(&d, Exposure::new(EXPOSURE)?, &DISPLAY, colors)
         }
 
         /// The light after the wrist has turned.
@@ -224,12 +237,12 @@ macro_rules! frames {
 pub mod floats {
     use super::*;
     use eigenshade::presets::light::HALL;
-    use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
+    use eigenshade::presets::material::BLUE_METALLIC_PAINT2;
     use eigenshade::sphere::color;
     use eigenshade::{Rgb, Rotation};
 
     type Buffer = eigenshade::Buffer<f32, 100>;
-    frames!(|frame| wrist(frame).map(|part| part as f32));
+    frames!(coefficients, |frame| wrist(frame).map(|part| part as f32));
 }
 
 /// In integers.
@@ -237,10 +250,10 @@ pub mod integers {
     use super::*;
     use eigenshade::Rgb;
     use eigenshade::presets::light::q15::HALL;
-    use eigenshade::presets::material::q15::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
+    use eigenshade::presets::material::q15::BLUE_METALLIC_PAINT2;
     use eigenshade::q15::{LightBuffer, Rotation};
     use eigenshade::sphere::q15::color;
 
     type Buffer = LightBuffer<100>;
-    frames!(wrist);
+    frames!(coefficients_q15, wrist);
 }

@@ -1,5 +1,6 @@
 //! Draws the large watch in a frame buffer and writes its frames as an animated PNG:
-//! `watch FILE.png`. `watch --normals FOLDER` makes the normal maps of both watches.
+//! `watch FILE.png`. `watch --relief FILE.obj` makes the mesh of the relief, and
+//! `watch --dials FOLDER` the normals of both dials.
 
 mod face;
 mod picture;
@@ -13,18 +14,19 @@ use std::path::Path;
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["--normals", folder] => {
+        ["--relief", file] => Ok(write(file, relief::mesh())?),
+        ["--dials", folder] => {
             for face in [&face::SMALL, &face::LARGE] {
-                let maps = [("dial", relief::dial(face)), ("relief", relief::codes(face))];
-                for (name, codes) in maps {
-                    let file = Path::new(folder).join(format!("{name}_{}.bin", face.size));
-                    write(file, codes.as_flattened())?;
-                }
+                let file = Path::new(folder).join(format!("dial_{}.bin", face.size));
+                write(file, relief::dial(face).as_flattened())?;
             }
             Ok(())
         }
         [file] => animate(file),
-        _ => Err("expected `watch FILE.png` or `watch --normals FOLDER`".into()),
+        _ => {
+            Err("expected `watch FILE.png`, `watch --relief FILE.obj` or `watch --dials FOLDER`"
+                .into())
+        }
     }
 }
 

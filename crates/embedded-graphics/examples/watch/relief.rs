@@ -1,37 +1,50 @@
-//! Makes the normals of a watch: its relief, which is a guilloché and two hands on a hub, and its
-//! dial. Lengths are in pixels of the small watch, and scale with the relief.
+//! Makes the relief of a watch, which is a guilloché and two hands on a hub, and the dial around it.
+//! Lengths are in pixels of the small watch, and scale with the relief.
 
-use super::face::{Face, SMALL};
-use eigenshade::Normal;
+use super::face::Face;
 use eigenshade::object::NormalMap;
 use eigenshade_embedded_graphics::Dial;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
 
-/// The radius of the guilloché in pixels.
-const RADIUS: f64 = 36.5;
+/// The radius of the guilloché: its picture has a margin of half a pixel.
+pub const RADIUS: f64 = 36.5;
 
-/// Length and half the width of the hands in pixels, and their angles in degrees from 12 o'clock:
-/// it is 9 minutes past 10.
-const HANDS: [(f64, f64, f64); 2] = [(21.0, 4.2, 304.5), (32.0, 3.4, 54.0)];
+/// The hands, of 9 minutes past 10.
+const HANDS: [Hand; 2] = [
+    Hand { length: 21.0, half_width: 4.2, edge: 3.5, angle: 304.5 },
+    Hand { length: 32.0, half_width: 3.4, edge: 4.5, angle: 54.0 },
+];
 
-/// The radius of the hub in pixels.
-const HUB: f64 = 6.0;
+/// The radius of the hub, and the height of its edge.
+const HUB: [f64; 2] = [6.0, 5.0];
 
-/// The codes of the relief.
-pub fn codes(face: &Face) -> Vec<[u8; 2]> {
-    let side = face.relief;
-    let pixels = (0..side).flat_map(|row| (0..side).map(move |column| (column, row)));
-    let middle = 0.5 * f64::from(side) - 0.5;
-    let scale = f64::from(SMALL.relief) / f64::from(side);
-    pixels
-        .map(|(column, row)| {
-            let [x, y] = [f64::from(column) - middle, middle - f64::from(row)];
-            match covered([x, y], scale) {
-                cover if cover <= 0.0 => NormalMap::BACKGROUND,
-                cover if cover < 1.0 => at_the_rim([x, y], cover, scale),
-                _ => code(scale * x, scale * y),
-            }
-        })
-        .collect()
+/// A hand: half a cone with a round end, on walls.
+struct Hand {
+    length: f64,
+    /// At the hub; it is half of that at the other end.
+    half_width: f64,
+    /// The height of its edge.
+    edge: f64,
+    /// In degrees from 12 o'clock.
+    angle: f64,
+}
+
+/// The relief as an OBJ file, seen from +z.
+pub fn mesh() -> String {
+    let mut mesh = Mesh::default();
+    mesh.sheet([720, 148], |around, out| {
+        let [x, y] = polar(around, RADIUS * out);
+        [x, y, height(x, y)]
+    });
+    let [radius, edge] = HUB;
+    mesh.sheet([96, 44], |around, out| {
+        let [out, up, down] = arch(out);
+        let [x, y] = polar(around, radius * out);
+        [x, y, edge + radius * up - down]
+    });
+    HANDS.iter().for_each(|hand| mesh.sheet([88, 120], |across, along| hand.at(across, along)));
+    mesh.text
 }
 
 /// The codes of the dial around the relief.
@@ -39,52 +52,45 @@ pub fn dial(face: &Face) -> Vec<[u8; 2]> {
     let size = face.size;
     let mut codes = vec![[0; 2]; (size * size) as usize];
     Dial::codes(size, face.bezel, face.mark, &mut codes).expect("a size that is drawn");
-    // What the relief hides is not drawn.
-    let first = (size - face.relief) / 2;
-    for (index, code) in self::codes(face).into_iter().enumerate() {
-        let [column, row] = [index as u32 % face.relief, index as u32 / face.relief];
-        if code[0] != NormalMap::BACKGROUND[0] {
-            codes[((first + row) * size + first + column) as usize] = NormalMap::BACKGROUND;
+    // The relief hides whole pixels.
+    let radius = 0.5 * f64::from(face.relief - 1);
+    for (index, code) in codes.iter_mut().enumerate() {
+        let place = [index as u32 % size, index as u32 / size].map(f64::from);
+        // The corner that is farthest from the middle.
+        let [x, y] = place.map(|place| (place + 0.5 - 0.5 * f64::from(size)).abs() + 0.5);
+        if x.hypot(y) < radius {
+            *code = NormalMap::BACKGROUND;
         }
     }
     codes
 }
 
-/// How much of a pixel is inside the radius: above 0 and below 1 for a pixel in part.
-fn covered([x, y]: [f64; 2], scale: f64) -> f64 {
-    RADIUS / scale - x.hypot(y) + 0.5
+/// An OBJ file.
+#[derive(Default)]
+struct Mesh {
+    text: String,
+    corners: usize,
 }
 
-/// The code of a pixel that is covered in part: the normal of the neighbor toward the center.
-fn at_the_rim([x, y]: [f64; 2], cover: f64, scale: f64) -> [u8; 2] {
-    let [left, below] = [x, y].map(|along| (along / x.hypot(y)).round());
-    if covered([x - left, y - below], scale) >= 1.0 {
-        NormalMap::edge_code((255.0 * cover) as u8, [-left as i8, below as i8])
-    } else if cover < 0.5 {
-        NormalMap::BACKGROUND
-    } else {
-        code(scale * x, scale * y)
+impl Mesh {
+    /// Adds a sheet of so many cells, whose corners are a function of two numbers from 0 to 1.
+    fn sheet(&mut self, [across, along]: [usize; 2], at: impl Fn(f64, f64) -> [f64; 3]) {
+        let part = |number: usize, of: usize| number as f64 / of as f64;
+        let first = self.corners + 1;
+        for (row, column) in (0..=along).flat_map(|row| (0..=across).map(move |one| (row, one))) {
+            let [x, y, z] = at(part(column, across), part(row, along));
+            let _ = writeln!(self.text, "v {x:.4} {y:.4} {z:.4}");
+        }
+        for (row, column) in (0..along).flat_map(|row| (0..across).map(move |one| (row, one))) {
+            let near = first + row * (across + 1) + column;
+            let far = near + across + 1;
+            let _ = writeln!(self.text, "f {near} {far} {} {}", far + 1, near + 1);
+        }
+        self.corners += (across + 1) * (along + 1);
     }
 }
 
-/// The code of a pixel, right and up of the center.
-fn code(x: f64, y: f64) -> [u8; 2] {
-    let slopes = if x.hypot(y) < HUB {
-        round([x / HUB, y / HUB])
-    } else if let Some(slopes) = HANDS.into_iter().rev().find_map(|hand| on_hand(hand, x, y)) {
-        slopes
-    } else {
-        let step = 1e-3;
-        [
-            (height(x - step, y) - height(x + step, y)) / (2.0 * step),
-            (height(x, y - step) - height(x, y + step)) / (2.0 * step),
-        ]
-    };
-    let [x, y] = slopes.map(|slope| slope as f32);
-    NormalMap::code(Normal::new(x, y, 1.0).expect("it faces the camera"))
-}
-
-/// The guilloché's height in pixels: twelve twisted petals, and a rounded rim.
+/// The guilloché's height: twelve twisted petals, and a rounded rim.
 fn height(x: f64, y: f64) -> f64 {
     let (distance, angle) = (x.hypot(y), y.atan2(x));
     let petals = (12.0 * angle + 0.09 * distance).cos() * distance / RADIUS;
@@ -92,18 +98,32 @@ fn height(x: f64, y: f64) -> f64 {
     1.3 * petals - 3.0 * rim * rim
 }
 
-/// The slopes of a hand with a round cross-section, if it covers the point.
-fn on_hand((length, half_width, angle): (f64, f64, f64), x: f64, y: f64) -> Option<[f64; 2]> {
-    let (sine, cosine) = angle.to_radians().sin_cos();
-    let (along, across) = (x * sine + y * cosine, (x * cosine - y * sine) / half_width);
-    // It tapers toward its end.
-    let across = across / (1.0 - 0.5 * along / length);
-    let is_inside = (0.0..length).contains(&along) && across.abs() < 1.0;
-    is_inside.then(|| round([across * cosine, -across * sine]))
+/// A point at a distance from the middle, in a part of a turn from +x.
+fn polar(around: f64, distance: f64) -> [f64; 2] {
+    let (sine, cosine) = (TAU * around).sin_cos();
+    [distance * cosine, distance * sine]
 }
 
-/// The slopes of a half circle or sphere at a point of the unit circle; at most 2.
-fn round([x, y]: [f64; 2]) -> [f64; 2] {
-    let up = (1.0 - x * x - y * y).max(0.2).sqrt();
-    [x / up, y / up]
+/// A quarter of a circle of radius 1 and a wall below: from the top, at 0, to the foot of the wall, at 1
+/// or -1. How far it is outward, up, and how far down the wall.
+fn arch(part: f64) -> [f64; 3] {
+    let part = 1.1 * part;
+    let (sine, cosine) = (0.5 * PI * part.clamp(-1.0, 1.0)).sin_cos();
+    [sine, cosine, 80.0 * (part.abs() - 1.0).max(0.0)]
+}
+
+impl Hand {
+    /// A point of the hand: from its right to its left, and from the hub to its end.
+    fn at(&self, across: f64, along: f64) -> [f64; 3] {
+        let end = 0.5 * self.half_width;
+        let part = 1.2 * along;
+        let (sine, cosine) = (0.5 * PI * (5.0 * (part - 1.0)).max(0.0)).sin_cos();
+        let along = (self.length - end) * part.min(1.0) + end * sine;
+        let half_width = (self.half_width - end * part.min(1.0)) * cosine;
+        let [left, up, down] = arch(2.0 * across - 1.0);
+        let left = half_width * left;
+        let (sine, cosine) = self.angle.to_radians().sin_cos();
+        let [x, y] = [along * sine - left * cosine, along * cosine + left * sine];
+        [x, y, self.edge + half_width * up - down]
+    }
 }
