@@ -18,8 +18,8 @@ pub struct ObjectCoefficients {
 impl ShadowedObject<'_> {
     /// d of a light on the object's material.
     ///
-    /// Cost: (degree + 1)² products for each component, channel, and part of the material in it: 64 x 289
-    /// x 3 for one of one part in each channel and a light of degree 16.
+    /// Cost: (degree + 1)² products for each component, channel, and part of the material in it:
+    /// 64 x 289 x 3 for one part in each channel and a light of degree 16.
     ///
     /// # Errors
     ///

@@ -35,8 +35,8 @@ fn the_dial_is_as_described() {
     }
 }
 
-/// The relief covers a disc, to the fifth of a pixel of the rim, and the dial has every pixel that it
-/// does not cover whole.
+/// The relief covers a disc, to a fifth of a pixel of the rim, and the dial has every pixel that the
+/// relief does not cover whole.
 #[test]
 fn the_relief_covers_what_the_dial_leaves_out() {
     for face in FACES {
@@ -59,8 +59,8 @@ fn the_relief_covers_what_the_dial_leaves_out() {
     }
 }
 
-/// Far from the hands the relief has the colors of a sphere, at the normals of its mesh; beside them
-/// it is darker.
+/// Far from the hands the relief has the colors of a sphere, at the normals of its mesh; beside
+/// them it is darker.
 #[test]
 fn the_relief_is_that_of_the_mesh_with_shadows() {
     static DISPLAY: Display = Display::new(Tone::Linear);

@@ -19,7 +19,8 @@ fn watch_240() {
     turning(&face::LARGE);
 }
 
-/// The light turned, the dial relit, its palette and the colors of the relief computed, every pixel sent.
+/// The light turned, the dial relit, its palette and the colors of the relief computed, and every
+/// pixel sent.
 fn turning(face: &face::Face) {
     let Ok(mut watch) = face::floats::watch(face) else { board::exit(false) };
     let mut panel = face::Panel::new(face);

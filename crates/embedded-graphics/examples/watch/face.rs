@@ -97,7 +97,7 @@ fn wrist(frame: i32) -> [i32; 4] {
 }
 
 /// The dial with its material and palette, and the relief with the colors of its codes: all memory
-/// between frames. `T` is the transfer of a material in a number format, `P` a pixel of the display.
+/// between frames. `T` is the transfer of a material in a number format, `P` a pixel of a display.
 #[derive(Debug)]
 pub struct Watch<T, P> {
     dial: NormalMap<'static>,
@@ -191,8 +191,8 @@ impl DrawTarget for Panel {
     }
 }
 
-/// The functions of a module that draws in a number format. The module has the light and the material
-/// in it; `$coefficients` gives those of the relief, and `$wrist` the quaternion of a frame.
+/// The functions of a module that draws in a number format. The module has the light and the
+/// material in it; `$coefficients` gives those of the relief, and `$wrist` the quaternion of a frame.
 macro_rules! frames {
     ($coefficients:ident, $wrist:expr) => {
         /// A watch whose colors are black.
@@ -204,7 +204,8 @@ macro_rules! frames {
             Watch::new(face, color::transfer(BLUE_METALLIC_PAINT2)?)
         }
 
-        /// Lights a frame: turns the light, fills the palette of the dial, and the colors of the relief.
+        /// Lights a frame: turns the light, and fills the palette of the dial and the colors of the
+        /// relief.
         ///
         /// # Errors
         ///

@@ -1,4 +1,4 @@
-//! Makes the relief of a watch, which is a guilloché and two hands on a hub, and the dial around it.
+//! Makes the relief of a watch, which is a guilloché and two hands on a hub, and the dial around.
 //! Lengths are in pixels of the small watch, and scale with the relief.
 
 use super::face::Face;
@@ -104,8 +104,8 @@ fn polar(around: f64, distance: f64) -> [f64; 2] {
     [distance * cosine, distance * sine]
 }
 
-/// A quarter of a circle of radius 1 and a wall below: from the top, at 0, to the foot of the wall, at 1
-/// or -1. How far it is outward, up, and how far down the wall.
+/// A quarter of a circle of radius 1 and a wall below: from the top, at 0, to the foot of the wall,
+/// at 1 or -1. How far a point is outward, up, and down the wall.
 fn arch(part: f64) -> [f64; 3] {
     let part = 1.1 * part;
     let (sine, cosine) = (0.5 * PI * part.clamp(-1.0, 1.0)).sin_cos();
