@@ -31,10 +31,7 @@ fn main() {
 
 /// Writes the statics of the shipped table in each format.
 fn sphere() -> Result<(), String> {
-    bake("f32", |bytes, command| {
-        let (parts, general) = read_floats(bytes)?;
-        Ok(source::floats::module(&parts, &general, command))
-    })?;
+    bake("f32", |bytes, command| Ok(source::floats::module(&read_floats(bytes)?, command)))?;
     bake("q15", |bytes, command| Ok(source::integers::module(&read_integers(bytes)?, command)))
 }
 

@@ -4,7 +4,6 @@ use crate::bake::BakedMap;
 use crate::basis::{Basis, Parts};
 use crate::error::{Argument, Error};
 use crate::estimate::Estimate;
-use crate::general::{GeneralBasis, GeneralParts};
 use crate::index::effect::{Effect, Effects};
 use crate::index::record::{Azimuth, Pass, ProfilePlace, Row, Run};
 use crate::light::{Light, Window};
@@ -23,8 +22,7 @@ const fn can_be_logged<T: defmt::Format>() {}
 const _: () = {
     type Buffer = crate::buffer::Buffer<f32, 8>;
     can_be_logged::<(Light<'_>, Material<'_>, Normal, Normals<'_>)>();
-    can_be_logged::<(Basis<'_>, GeneralBasis<'_>)>();
-    can_be_logged::<(Parts<'_>, GeneralParts<'_>)>();
+    can_be_logged::<(Basis<'_>, Parts<'_>)>();
     can_be_logged::<(Azimuth, Pass, ProfilePlace, Row, Run, Error, Argument, Effect, Effects)>();
     can_be_logged::<(Transfer<8>, Estimate<'_, 8>, Scene<'_, Buffer>)>();
     can_be_logged::<(BakedMap<Buffer>, q15::BakedMap<&[i16]>)>();

@@ -179,10 +179,6 @@ pub enum Argument {
     Terms,
     /// Part of a basis: lengths of the polynomials.
     Lengths,
-    /// Part of a general basis: the matrix from coordinates in the span to d.
-    Projection,
-    /// Part of a general basis: the coordinates of the eigenimages in the span.
-    Synthesis,
 }
 
 impl Error {

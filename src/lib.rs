@@ -28,8 +28,6 @@
 //!     processors.
 //! 11. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
-//! A [`GeneralBasis`] does the same for objects other than a sphere.
-//!
 //! ```
 //! # #[cfg(feature = "baked")] {
 //! use eigenshade::{Light, Material, Normal, sphere};
@@ -160,8 +158,6 @@ mod bake;
 
 pub mod q15;
 
-mod general;
-
 mod estimate;
 
 mod color;
@@ -265,7 +261,6 @@ pub use buffer::Buffer;
 pub use color::Rgb;
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
-pub use general::GeneralBasis;
 pub use gloss::Gloss;
 pub use highlights::Highlights;
 pub use index::effect::Effect;

@@ -6,7 +6,6 @@
 /// - `table!(sphere ...)`: constants, types and functions of a table of a sphere. A pass of a
 ///   transfer is given by its place among the sums, its number and its profiles; a run by its number
 ///   and its profiles.
-/// - `table!(general)`: the same for the table of another object.
 /// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized
 ///   for the azimuths listed and their profiles.
 #[doc(hidden)]
@@ -14,11 +13,15 @@
 macro_rules! table {
     (sphere passes $([$number:tt $pass:literal $profiles:literal])*
         runs $([$run:literal $rows:literal])*) => {
-        $crate::table!(@sizes PARTS.components, BASIS.workspace_len(), BASIS);
+        $crate::table!(@items);
         /// The basis; its shape was checked when it was compiled.
         pub static BASIS: $crate::Basis<'static> =
             $crate::specialized::checked($crate::Basis::new(PARTS));
-        $crate::table!(@transfer BASIS);
+        /// The transfer of a material: see [`eigenshade::Basis::transfer`]. The same errors, but no
+        /// capacity is too small.
+        pub fn transfer(material: &$crate::Material<'_>) -> Result<Transfer, $crate::Error> {
+            BASIS.transfer::<WORKSPACE, TRANSFER>(material)
+        }
         /// An estimate of the coefficients d from pixels.
         pub type Estimate = $crate::Estimate<'static, COMPONENTS>;
         /// Starts an estimate from pixels: see [`eigenshade::Basis::estimate`].
@@ -43,7 +46,31 @@ macro_rules! table {
         }
         /// A scene with fewer terms than a [`Scene`].
         pub type Truncated<'l> = $crate::Scene<'l, $crate::Buffer<f32, SCENE>>;
-        $crate::table!(@relight |transfer, light, d| {
+        /// A new light on a transferred material: see `relight` of [`BASIS`]. The same errors, but
+        /// no capacity is too small.
+        pub fn relight(
+            transfer: &Transfer,
+            light: &$crate::Light<'_>,
+        ) -> Result<Coefficients, $crate::Error> {
+            // An array: a buffer that a call has written is copied once more.
+            let mut d = [0.0; COMPONENTS];
+            relight_array(transfer, light, &mut d)?;
+            Ok(d.into())
+        }
+        /// [`relight`] into existing coefficients, unmoved; after an error they are unspecified.
+        pub fn relight_into(
+            transfer: &Transfer,
+            light: &$crate::Light<'_>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            relight_array(transfer, light, $crate::specialized::coefficients(coefficients)?)
+        }
+        #[inline(always)]
+        fn relight_array(
+            transfer: &Transfer,
+            light: &$crate::Light<'_>,
+            d: &mut [f32; COMPONENTS],
+        ) -> Result<(), $crate::Error> {
             use $crate::specialized as inputs;
             inputs::accept_light(DEGREE, light)?;
             let transfer = inputs::transfer_numbers(transfer)?;
@@ -55,7 +82,7 @@ macro_rules! table {
                 }
             });
             Ok(())
-        });
+        }
         /// Relights pass by pass. Inlined: the components are stored where the caller has them.
         #[inline(always)]
         fn relight_passes(
@@ -83,35 +110,13 @@ macro_rules! table {
             );)*
         }
     };
-    (general) => {
-        $crate::table!(
-            @sizes GENERAL.components, BASIS.workspace_len(), SPAN
-        );
-        /// The span of the basis; its shape was checked when it was compiled.
-        pub static SPAN: $crate::Basis<'static> =
-            $crate::specialized::checked($crate::Basis::new(PARTS));
-        /// The basis; its shape was checked when it was compiled.
-        pub static BASIS: $crate::GeneralBasis<'static> =
-            $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
-        $crate::table!(@transfer SPAN);
-        $crate::table!(@project |light, material| {
-            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
-        });
-        $crate::table!(@relight |transfer, light, d| {
-            let mut workspace = [0.0; WORKSPACE];
-            BASIS.relight_into(transfer.as_slice(), light, &mut workspace, d)
-        });
-        $crate::table!(@collapse |coefficients, scene| {
-            let mut workspace = [0.0; WORKSPACE];
-            // No length can be wrong: all are this table's.
-            if let Ok(collapsed) = BASIS.collapse_into(coefficients, &mut workspace, [0.0; SCENE]) {
-                *scene = Scene(collapsed);
-            }
-        });
-    };
     (project scatter $([$q:literal $pairs:literal])*
         $(azimuth $azimuth:literal $([$first:literal $twos:literal])*)*) => {
-        $crate::table!(@project |light, material| {
+        /// d = UᵀMc: see `project` of [`BASIS`]. The same errors, but no capacity is too small.
+        pub fn project(
+            light: &$crate::Light<'_>,
+            material: &$crate::Material<'_>,
+        ) -> Result<Coefficients, $crate::Error> {
             use $crate::specialized as inputs;
             inputs::accept_light(DEGREE, light)?;
             inputs::accept_material(ORDER, material)?;
@@ -120,7 +125,7 @@ macro_rules! table {
                 inputs::whole(light.coefficients(), |light| project_whole(light, material, &mut d));
             });
             Ok(d.into())
-        });
+        }
         const MODES: usize = $crate::specialized::material::count(ORDER);
         /// Projects a light and a material of this table's degree and order. Not inlined: the
         /// components would be copied one by one.
@@ -158,57 +163,7 @@ macro_rules! table {
             )*
         }
     };
-    (@project |$light:ident, $material:ident| $project:block) => {
-        /// d = UᵀMc: see `project` of [`BASIS`]. The same errors, but no capacity is too small.
-        pub fn project(
-            $light: &$crate::Light<'_>,
-            $material: &$crate::Material<'_>,
-        ) -> Result<Coefficients, $crate::Error> $project
-    };
-    (@transfer $basis:ident) => {
-        /// The transfer of a material: see [`eigenshade::Basis::transfer`]. The same errors, but no
-        /// capacity is too small.
-        pub fn transfer(material: &$crate::Material<'_>) -> Result<Transfer, $crate::Error> {
-            $basis.transfer::<WORKSPACE, TRANSFER>(material)
-        }
-    };
-    (@relight |$transfer:ident, $light:ident, $d:ident| $relight:block) => {
-        /// A new light on a transferred material: see `relight` of [`BASIS`]. The same errors, but
-        /// no capacity is too small.
-        pub fn relight(
-            transfer: &Transfer,
-            light: &$crate::Light<'_>,
-        ) -> Result<Coefficients, $crate::Error> {
-            // An array: a buffer that a call has written is copied once more.
-            let mut d = [0.0; COMPONENTS];
-            relight_array(transfer, light, &mut d)?;
-            Ok(d.into())
-        }
-        /// [`relight`] into existing coefficients, unmoved; after an error they are unspecified.
-        pub fn relight_into(
-            transfer: &Transfer,
-            light: &$crate::Light<'_>,
-            coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> {
-            relight_array(transfer, light, $crate::specialized::coefficients(coefficients)?)
-        }
-        #[inline(always)]
-        fn relight_array(
-            $transfer: &Transfer,
-            $light: &$crate::Light<'_>,
-            $d: &mut [f32; COMPONENTS],
-        ) -> Result<(), $crate::Error> $relight
-    };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
-        $crate::table!(@collapse |coefficients, scene| {
-            use $crate::specialized as kernels;
-            let terms = kernels::terms_mut(&mut scene.0);
-            kernels::whole(coefficients, |d: &[f32; COMPONENTS]| {
-                $(kernels::collapse::<This, $azimuth, $profiles, COMPONENTS, SCENE>(d, terms);)*
-            });
-        });
-    };
-    (@collapse |$coefficients:ident, $scene:ident| $collapse:block) => {
         /// Sums the components of each azimuth: see `collapse` of [`BASIS`].
         #[must_use]
         pub fn collapse(coefficients: &Coefficients) -> Scene {
@@ -218,7 +173,13 @@ macro_rules! table {
         }
         /// [`collapse`] into an existing scene, without moving it.
         #[inline]
-        pub fn collapse_into($coefficients: &Coefficients, $scene: &mut Scene) $collapse
+        pub fn collapse_into(coefficients: &Coefficients, scene: &mut Scene) {
+            use $crate::specialized as kernels;
+            let terms = kernels::terms_mut(&mut scene.0);
+            kernels::whole(coefficients, |d: &[f32; COMPONENTS]| {
+                $(kernels::collapse::<This, $azimuth, $profiles, COMPONENTS, SCENE>(d, terms);)*
+            });
+        }
     };
     (shade $($azimuth:literal)*) => {
         impl Scene {
@@ -262,10 +223,10 @@ macro_rules! table {
             $crate::specialized::Mirrored::images(sums)
         }
     };
-    (@sizes $components:expr, $workspace:expr, $basis:expr) => {
+    (@items) => {
         $crate::table_items! {
-            basis $crate::Basis<'static> = $basis,
-            components $components, workspace $workspace,
+            basis $crate::Basis<'static> = BASIS,
+            components PARTS.components, workspace BASIS.workspace_len(),
             scene $crate::Scene<'static, [f32; SCENE]>
         }
         /// Number of coefficients of a light.

@@ -3,10 +3,11 @@
 
 use crate::invariants;
 use crate::wire::sealed;
-use crate::wire_files::{GENERAL, INTEGERS_15, LONG, SPHERE, placed};
+use crate::wire_files::{INTEGERS_15, LONG, SPHERE, placed};
 use eigenshade::wire::WireError;
-use eigenshade::{Basis, GeneralBasis, Q15, q15};
+use eigenshade::{Basis, Q15, q15};
 use eigenshade_table::record::{floats, integers};
+use eigenshade_table::wire::{ENTRY, HEADER};
 use std::collections::BTreeMap;
 
 /// What a file holds, and what opens it and uses its basis.
@@ -18,18 +19,12 @@ struct Kind {
     checked: &'static [&'static str],
 }
 
-fn kinds() -> [Kind; 3] {
+fn kinds() -> [Kind; 2] {
     [
         Kind {
             files: vec![&SPHERE.0, &LONG.0],
             arrays: floats::Parts::<f32>::ARRAYS.to_vec(),
             open: |bytes| Basis::from_bytes(bytes).map(|basis| invariants::floats(&basis)),
-            checked: &["profiles", "azimuths", "passes", "runs", "slots", "lengths"],
-        },
-        Kind {
-            files: vec![&GENERAL.0],
-            arrays: [floats::Parts::<f32>::ARRAYS, floats::GeneralParts::<f32>::ARRAYS].concat(),
-            open: |bytes| GeneralBasis::from_bytes(bytes).map(|basis| invariants::general(&basis)),
             checked: &["profiles", "azimuths", "passes", "runs", "slots", "lengths"],
         },
         Kind {
@@ -50,14 +45,14 @@ fn long(file: &[u8], at: usize) -> usize {
 
 /// Where in a file the array of a section is.
 fn place(file: &[u8], section: usize) -> std::ops::Range<usize> {
-    let entry = 32 + 8 * section;
+    let entry = HEADER + ENTRY * section;
     let start = long(file, entry);
     start..start + long(file, entry + 4)
 }
 
 /// Number of sections: those of empty arrays at the end are left out.
 fn sections(file: &[u8]) -> usize {
-    usize::from(u16::from_le_bytes([file[28], file[29]]))
+    usize::from(u16::from_le_bytes([file[26], file[27]]))
 }
 
 /// The file with this array, at its end, in the place of another, and with the right checksum.
@@ -67,7 +62,7 @@ fn with(file: &[u8], section: usize, array: &[u8]) -> Vec<u8> {
     bytes.extend(array);
     let length = bytes.len().next_multiple_of(4) + 4;
     bytes.resize(length, 0);
-    let entry = 32 + 8 * section;
+    let entry = HEADER + ENTRY * section;
     for (at, number) in [(16, length), (entry, start), (entry + 4, array.len())] {
         bytes[at..at + 4].copy_from_slice(&(number as u32).to_le_bytes());
     }
@@ -129,7 +124,7 @@ fn corrupted_items_are_refused_or_harmless() {
 fn corrupted_headers_are_refused_or_harmless() {
     for kind in kinds() {
         for &file in &kind.files {
-            for at in 0..32 + 8 * sections(file) {
+            for at in 0..HEADER + ENTRY * sections(file) {
                 for flipped in FLIPPED {
                     let mut bytes = file.to_vec();
                     bytes[at] ^= flipped;

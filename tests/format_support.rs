@@ -6,10 +6,10 @@ use crate::invariants::{
     Reader, SHADING, packed_object, project_reconstruct, public_interface, shadowed_object,
 };
 use eigenshade::{Argument, Error, Light, Q15, q15, sphere};
+use eigenshade_table::Table;
 use eigenshade_table::quantize;
 use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::wire::{self, Endian};
-use eigenshade_table::{General, Table};
 use eigenshade_testing::fixtures::shipped_table;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -18,22 +18,7 @@ use proptest::prelude::*;
 type Refusal = (fn(&mut Table), &'static str);
 
 /// What a table may hold in `f32` alone.
-const REFUSALS: [Refusal; 4] = [
-    (
-        |table| {
-            table.general = Some(General {
-                normals: 1,
-                rank: 1,
-                eigenvalues: vec![None],
-                projection: vec![0.0; 50],
-                synthesis: vec![0.0; 50],
-                modes: vec![],
-                mean: vec![],
-                mean_coefficients: vec![],
-            });
-        },
-        "integer formats support only tables of a sphere under light that turns freely",
-    ),
+const REFUSALS: [Refusal; 3] = [
     (
         |table| table.profiles[0].chebyshev = vec![1.0; 40],
         "make the table with a larger profile_tolerance or a lower degree",

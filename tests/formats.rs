@@ -121,7 +121,7 @@ impl Reference {
 fn floats_are_good() {
     let reference = Reference::new();
     let basis = OwnedBasis::new(&reference.shipped.table).expect("a table for f32");
-    let mut shader = Shader::new(basis.any().expect("a basis"), usize::MAX);
+    let mut shader = Shader::new(basis.basis().expect("a basis"), usize::MAX);
     let normals = OwnedNormals::new(&reference.normals);
     let score = reference.score(|light, material| {
         let image = shader.polynomial(light, material, &normals).expect("it fits");

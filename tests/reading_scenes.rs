@@ -1,6 +1,5 @@
-//! Components, light, material and modes of an image of a sphere, and of an object under light as
-//! captured, about the vertical and turned freely: against dense formulas over the pixels, by
-//! another library, against the images of modes, the direct sum, and the runtime.
+//! Components, light, material and modes of an image of a sphere: against dense formulas over the
+//! pixels, by another library, against the images of modes, and the runtime.
 
 use crate::oracle::Numbers;
 use crate::reading::{
@@ -14,7 +13,7 @@ use eigenshade_generator::reading::modes::{self, ModeCoefficients};
 use eigenshade_generator::reading::observation::{EigenimageValues, Observer};
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_model::database::Named;
-use eigenshade_table::scene::{Criterion, LightRotation};
+use eigenshade_table::scene::Criterion;
 use eigenshade_testing::{fixtures, largest};
 use nalgebra::{DMatrix, DVector};
 
@@ -36,35 +35,34 @@ const READ_DEVIATIONS: [f64; 3] = [1e-2, 1e-8, 1e-11];
 #[test]
 fn least_squares_and_fit_are_those_over_the_pixels() {
     for criterion in CRITERIA {
-        for subject in Subject::both(criterion, LightRotation::None, 20) {
-            let image = subject.noisy();
-            let observation = subject.observe(&image);
-            let (design, mean) = subject.dense();
-            let centered = subject.rooted(&image) - &mean;
-            let svd = design.clone().svd(true, true);
-            let expected = svd.solve(&centered, tolerances::READ_CUT_OFF).expect("a solution");
-            let squares = LeastSquares::new(&observation, tolerances::READ_CUT_OFF);
-            let squares = squares.expect("singular values");
-            assert_eq!(squares.rank(), 20);
-            let d = squares.solve(observation.centered(0).as_ref());
-            assert_near("least squares", apart(&d, &expected), tolerances::READ_LEAST_SQUARES);
+        let subject = Subject::new(criterion, 20);
+        let image = subject.noisy();
+        let observation = subject.observe(&image);
+        let (design, mean) = subject.dense();
+        let centered = subject.rooted(&image) - &mean;
+        let svd = design.clone().svd(true, true);
+        let expected = svd.solve(&centered, tolerances::READ_CUT_OFF).expect("a solution");
+        let squares = LeastSquares::new(&observation, tolerances::READ_CUT_OFF);
+        let squares = squares.expect("singular values");
+        assert_eq!(squares.rank(), 20);
+        let d = squares.solve(observation.centered(0).as_ref());
+        assert_near("least squares", apart(&d, &expected), tolerances::READ_LEAST_SQUARES);
 
-            let weight: f64 = subject.weights.iter().sum();
-            let product = scalar_product(&observation, 0);
-            let expected = design.transpose() * &centered / weight;
-            let far = apart(&product, &expected);
-            assert_near("scalar product", far, tolerances::READ_LEAST_SQUARES);
+        let weight: f64 = subject.weights.iter().sum();
+        let product = scalar_product(&observation, 0);
+        let expected = design.transpose() * &centered / weight;
+        let far = apart(&product, &expected);
+        assert_near("scalar product", far, tolerances::READ_LEAST_SQUARES);
 
-            let found = fit(&observation, 0, &d, 20);
-            let left = (&centered - &design * DVector::from_column_slice(&d)).norm_squared();
-            let weighted = subject.weights.iter().zip(&image);
-            let average = weighted.clone().map(|(w, i)| w * i).sum::<f64>() / weight;
-            let spread: f64 = weighted.map(|(w, i)| w * (i - average).powi(2)).sum();
-            let expected = [(left / weight).sqrt(), left / spread, (left / 280.0).sqrt()];
-            let found = [found.residual_rms, found.relative_residual, found.noise];
-            for (found, expected) in found.iter().zip(&expected) {
-                assert_near("fit", apart([found], [expected]), tolerances::READ_LEAST_SQUARES);
-            }
+        let found = fit(&observation, 0, &d, 20);
+        let left = (&centered - &design * DVector::from_column_slice(&d)).norm_squared();
+        let weighted = subject.weights.iter().zip(&image);
+        let average = weighted.clone().map(|(w, i)| w * i).sum::<f64>() / weight;
+        let spread: f64 = weighted.map(|(w, i)| w * (i - average).powi(2)).sum();
+        let expected = [(left / weight).sqrt(), left / spread, (left / 280.0).sqrt()];
+        let found = [found.residual_rms, found.relative_residual, found.noise];
+        for (found, expected) in found.iter().zip(&expected) {
+            assert_near("fit", apart([found], [expected]), tolerances::READ_LEAST_SQUARES);
         }
     }
 }
@@ -72,7 +70,7 @@ fn least_squares_and_fit_are_those_over_the_pixels() {
 /// A whole sphere by quadrature: the scalar product is then least squares, and d.
 #[test]
 fn the_scalar_product_is_the_integral() {
-    let table = Subject::sphere(Criterion::ImageCentered, 20).table;
+    let table = Subject::new(Criterion::ImageCentered, 20).table;
     let d: Vec<f64> = (0..20).map(|k| f64::from(k + 1).recip()).collect();
     let values = EigenimageValues::new(&table, 20);
     let mut row = vec![0.0; 21];
@@ -87,52 +85,24 @@ fn the_scalar_product_is_the_integral() {
 }
 
 #[test]
-fn components_are_those_of_the_direct_sum() {
-    for criterion in CRITERIA {
-        // An image of the database itself lies in the span of all its components.
-        let object = Subject::object(criterion, LightRotation::None, usize::MAX);
-        let (light, material) = object.pair();
-        let image = object.image();
-        let observation = object.observe(&image);
-        let (design, mean) = object.dense();
-        // The weights sum to 1, so this is the mean over the object.
-        let direct = design.transpose() * (object.rooted(&image) - mean);
-        let product = scalar_product(&observation, 0);
-        assert_near("scalar product", apart(&product, &direct), tolerances::READ_LEAST_SQUARES);
-        let projected = &object.project(&light, &material);
-        assert_near("projection", apart(&product, projected), tolerances::READ_MODES);
-        let squares =
-            LeastSquares::new(&observation, tolerances::READ_CUT_OFF).expect("singular values");
-        assert_eq!(squares.rank(), object.table.count());
-        let d = squares.solve(observation.centered(0).as_ref());
-        assert_near("least squares", apart(&d, projected), tolerances::READ_MODES);
-    }
-}
-
-#[test]
 fn prior_is_the_databases_second_moment() {
-    use LightRotation::{Any, None, Vertical};
     for criterion in CRITERIA {
-        let object = |rotation| Subject::object(criterion, rotation, 20);
-        for subject in [Subject::sphere(criterion, 20), object(Any), object(Vertical), object(None)]
-        {
-            let found = to_dense(&subject.prior().1.second_moment());
-            let expected = subject.second_moment();
-            assert_near("V_d", apart(&found, &expected), tolerances::READ_PRIOR);
-            // (28) and (33): uncorrelated, the eigenvalues on the diagonal.
-            let values = subject.eigenvalues();
-            for (i, a) in values.iter().enumerate() {
-                for (j, _) in values.iter().enumerate().filter(|(_, b)| a.is_some() && b.is_some())
-                {
-                    let expected = a.filter(|_| i == j).unwrap_or(0.0);
-                    let far = (found[(i, j)] - expected).abs() / strongest(&values);
-                    assert!(far <= tolerances::READ_PRIOR, "{i} {j}: {far:e}");
-                }
+        let subject = Subject::new(criterion, 20);
+        let found = to_dense(&subject.prior().1.second_moment());
+        let expected = subject.second_moment();
+        assert_near("V_d", apart(&found, &expected), tolerances::READ_PRIOR);
+        // (28) and (33): uncorrelated, the eigenvalues on the diagonal.
+        let values = subject.eigenvalues();
+        for (i, a) in values.iter().enumerate() {
+            for (j, _) in values.iter().enumerate().filter(|(_, b)| a.is_some() && b.is_some()) {
+                let expected = a.filter(|_| i == j).unwrap_or(0.0);
+                let far = (found[(i, j)] - expected).abs() / strongest(&values);
+                assert!(far <= tolerances::READ_PRIOR, "{i} {j}: {far:e}");
             }
         }
     }
     // The constant goes with the others of m = 0, so V_d is not diagonal.
-    let moment = Subject::sphere(Criterion::ImageCentered, 20).prior().1.second_moment();
+    let moment = Subject::new(Criterion::ImageCentered, 20).prior().1.second_moment();
     let correlation = |j: usize| moment[(0, j)] / (moment[(0, 0)] * moment[(j, j)]).sqrt();
     assert!((1..20).any(|j| correlation(j).abs() > 0.05));
 }
@@ -141,30 +111,27 @@ fn prior_is_the_databases_second_moment() {
 #[test]
 fn posterior_is_the_dense_formula() {
     for (criterion, count) in CRITERIA.into_iter().flat_map(|one| [(one, COUNT), (one, 8)]) {
-        for mut subject in Subject::both(criterion, LightRotation::Vertical, 20) {
-            subject.weights[count..].fill(0.0);
-            let (image, noise) = (subject.noisy(), subject.noise());
-            assert_eq!(subject.observe(&image).pixels, count);
-            let found = subject.estimate(&image, noise);
+        let mut subject = Subject::new(criterion, 20);
+        subject.weights[count..].fill(0.0);
+        let (image, noise) = (subject.noisy(), subject.noise());
+        assert_eq!(subject.observe(&image).pixels, count);
+        let found = subject.estimate(&image, noise);
 
-            let ((design, mean), image) = (subject.dense(), subject.rooted(&image));
-            let moment = subject.second_moment();
-            let energy = (&design * &moment * design.transpose()).trace() + mean.norm_squared();
-            let s = ((image.norm_squared() - count as f64 * noise * noise) / energy).sqrt();
-            assert_near("exposure", apart([&found.exposure], [&s]), tolerances::READ_POSTERIOR);
-            // s² V Eᵀ (s² E V Eᵀ + noise²)⁻¹ (I - s m), over the pixels.
-            let cross = s * s * &moment * design.transpose();
-            let total = &design * &cross + DMatrix::identity(COUNT, COUNT) * noise * noise;
-            let inverse = total.cholesky().expect("a positive matrix").inverse();
-            let d = &cross * &inverse * (image - s * mean) - (s - 1.0) * subject.dark();
-            assert_near("posterior mean", apart(&found.d, &d), tolerances::READ_POSTERIOR);
-            if subject.table.general.is_none() {
-                let covariance = s * s * &moment - &cross * &inverse * cross.transpose();
-                let deviations = covariance.diagonal().map(f64::sqrt);
-                let far = apart(&found.deviations, &deviations);
-                assert_near("posterior deviations", far, tolerances::READ_POSTERIOR);
-            }
-        }
+        let ((design, mean), image) = (subject.dense(), subject.rooted(&image));
+        let moment = subject.second_moment();
+        let energy = (&design * &moment * design.transpose()).trace() + mean.norm_squared();
+        let s = ((image.norm_squared() - count as f64 * noise * noise) / energy).sqrt();
+        assert_near("exposure", apart([&found.exposure], [&s]), tolerances::READ_POSTERIOR);
+        // s² V Eᵀ (s² E V Eᵀ + noise²)⁻¹ (I - s m), over the pixels.
+        let cross = s * s * &moment * design.transpose();
+        let total = &design * &cross + DMatrix::identity(COUNT, COUNT) * noise * noise;
+        let inverse = total.cholesky().expect("a positive matrix").inverse();
+        let d = &cross * &inverse * (image - s * mean) - (s - 1.0) * subject.dark();
+        assert_near("posterior mean", apart(&found.d, &d), tolerances::READ_POSTERIOR);
+        let covariance = s * s * &moment - &cross * &inverse * cross.transpose();
+        let deviations = covariance.diagonal().map(f64::sqrt);
+        let far = apart(&found.deviations, &deviations);
+        assert_near("posterior deviations", far, tolerances::READ_POSTERIOR);
     }
 }
 
@@ -173,7 +140,7 @@ fn posterior_is_the_dense_formula() {
 #[test]
 fn posterior_deviations_are_in_proportion_to_a_small_noise() {
     for criterion in CRITERIA {
-        let sphere = Subject::sphere(criterion, 20);
+        let sphere = Subject::new(criterion, 20);
         // The light as captured.
         let ambient = sphere.loaded.lights.entries[4].luminance()[0];
         let image: Vec<f64> = sphere.noisy().iter().map(|value| ambient * value).collect();
@@ -187,7 +154,7 @@ fn posterior_deviations_are_in_proportion_to_a_small_noise() {
             assert_near("deviations over the noise's", largest(over), allowed);
         }
         // All components: some are not determined, but none is known without error.
-        let sphere = Subject::sphere(criterion, usize::MAX);
+        let sphere = Subject::new(criterion, usize::MAX);
         for noise in [1e-3, 1e-6, 1e-9] {
             let found = sphere.estimate(&image, noise).deviations;
             assert!(found.iter().all(|deviation| *deviation > 0.0), "{noise:e}: {found:?}");
@@ -198,20 +165,19 @@ fn posterior_deviations_are_in_proportion_to_a_small_noise() {
 #[test]
 fn light_and_evidence_are_the_dense_formulas() {
     for criterion in CRITERIA {
-        for subject in Subject::both(criterion, LightRotation::None, 40) {
-            let (image, noise) = (subject.noisy(), subject.noise());
-            let (transfers, prior) = subject.prior();
-            let transfer = transfers.of(&subject.pair().1);
-            let observation = subject.observe(&image);
-            let estimate = LightEstimate::new(&observation, &prior, &transfer).expect("values");
-            let found = estimate.explain(0, noise);
+        let subject = Subject::new(criterion, 40);
+        let (image, noise) = (subject.noisy(), subject.noise());
+        let (transfers, prior) = subject.prior();
+        let transfer = transfers.of(&subject.pair().1);
+        let observation = subject.observe(&image);
+        let estimate = LightEstimate::new(&observation, &prior, &transfer).expect("values");
+        let found = estimate.explain(0, noise);
 
-            let (design, mean) = subject.dense();
-            let images = subject.lit(&design);
-            let target = subject.rooted(&image) - mean - &design * subject.dark();
-            let statistics = subject.statistics();
-            LitImage { images, target, statistics, noise }.assert_likeliest(&found);
-        }
+        let (design, mean) = subject.dense();
+        let images = subject.lit(&design);
+        let target = subject.rooted(&image) - mean - &design * subject.dark();
+        let statistics = subject.statistics();
+        LitImage { images, target, statistics, noise }.assert_likeliest(&found);
     }
 }
 
@@ -221,36 +187,34 @@ const STEP: usize = 15;
 #[test]
 fn modes_have_the_image_that_they_were_read_from() {
     for criterion in CRITERIA {
-        for subject in Subject::both(criterion, LightRotation::None, usize::MAX) {
-            let (transfers, prior) = subject.prior();
-            let estimate = subject.estimate(&subject.noisy(), subject.noise());
-            let (design, mean) = subject.dense();
-            let d = DVector::from_column_slice(&estimate.d);
-            let some =
-                |image: DVector<f64>| image.iter().copied().step_by(STEP).collect::<Vec<_>>();
-            let near = |what: &str, c: &ModeCoefficients, expected: DVector<f64>| {
-                let places = (0..COUNT).step_by(STEP);
-                let value =
-                    |k: usize| subject.weights[k].sqrt() * image_of_modes(c, subject.normals[k]);
-                let found: Vec<f64> = places.map(value).collect();
-                assert_near(what, apart(&found, &some(expected)), tolerances::READ_MODES);
-            };
-            let least_norm = modes::least_norm(&subject.table, &estimate.d);
-            near("least norm", &least_norm, &design * &d);
-            // Whole images: s (m + E δ), with the mean image's own modes.
-            let s = estimate.exposure;
-            let likely = modes::posterior_mean(&transfers, &prior, &estimate);
-            near("posterior", &likely, s * &mean + &design * (d + (s - 1.0) * subject.dark()));
-            // Of the same image, the one is of least norm.
-            let [least, other] = [&least_norm, &likely].map(|c| c.values.norm_l2());
-            assert!(criterion == Criterion::Standard || least < other, "{least} {other}");
-        }
+        let subject = Subject::new(criterion, usize::MAX);
+        let (transfers, prior) = subject.prior();
+        let estimate = subject.estimate(&subject.noisy(), subject.noise());
+        let (design, mean) = subject.dense();
+        let d = DVector::from_column_slice(&estimate.d);
+        let some = |image: DVector<f64>| image.iter().copied().step_by(STEP).collect::<Vec<_>>();
+        let near = |what: &str, c: &ModeCoefficients, expected: DVector<f64>| {
+            let places = (0..COUNT).step_by(STEP);
+            let value =
+                |k: usize| subject.weights[k].sqrt() * image_of_modes(c, subject.normals[k]);
+            let found: Vec<f64> = places.map(value).collect();
+            assert_near(what, apart(&found, &some(expected)), tolerances::READ_MODES);
+        };
+        let least_norm = modes::least_norm(&subject.table, &estimate.d);
+        near("least norm", &least_norm, &design * &d);
+        // Whole images: s (m + E δ), with the mean image's own modes.
+        let s = estimate.exposure;
+        let likely = modes::posterior_mean(&transfers, &prior, &estimate);
+        near("posterior", &likely, s * &mean + &design * (d + (s - 1.0) * subject.dark()));
+        // Of the same image, the one is of least norm.
+        let [least, other] = [&least_norm, &likely].map(|c| c.values.norm_l2());
+        assert!(criterion == Criterion::Standard || least < other, "{least} {other}");
     }
 }
 
 #[test]
 fn products_come_back_from_the_modes_that_exist() {
-    let loaded = scene(Criterion::ImageCentered, LightRotation::Any, 1);
+    let loaded = scene(Criterion::ImageCentered, 1);
     let of = |entry: &Named| entry.luminance();
     let (light, material) = (of(&loaded.lights.entries[2]), of(&loaded.materials.entries[14]));
     let mut c = ModeCoefficients::zeros(4, 3);

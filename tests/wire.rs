@@ -1,10 +1,10 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
 use crate::invariants::read;
-use crate::wire_files::{ALL, GENERAL, INTEGERS_15, SPHERE, placed};
+use crate::wire_files::{ALL, INTEGERS_15, SPHERE, placed};
 use eigenshade::wire::{Fault, Header, WireError, aligned};
-use eigenshade::{Argument, Basis, Error, GeneralBasis, q15, sphere};
-use eigenshade_table::wire::{Endian, NumberFormat, encode};
+use eigenshade::{Argument, Basis, Error, q15, sphere};
+use eigenshade_table::wire::{ENTRY, Endian, HEADER, NumberFormat, encode};
 use eigenshade_testing::fixtures::shipped_table;
 use proptest::prelude::*;
 
@@ -39,16 +39,16 @@ fn the_shipped_table_comes_back() {
 #[test]
 fn a_header_is_as_written_down() {
     let header = Header::read(&INTEGERS_15.0).expect("a header");
-    assert_eq!((header.version, header.length), (3, INTEGERS_15.0.len()));
+    assert_eq!((header.version, header.length), (4, INTEGERS_15.0.len()));
     assert_eq!(NumberFormat::of(header.format), Some(NumberFormat::Q15));
     assert_eq!((header.degree, header.order, header.components), (2, 2, 6));
-    assert_eq!((header.images, header.sections), (0, 8));
+    assert_eq!(header.sections, 8);
     let expected = [
-        b"EIGSWIRE\x04\x03\x02\x01\x03\0\x02\0".as_slice(),
+        b"EIGSWIRE\x04\x03\x02\x01\x04\0\x02\0".as_slice(),
         &(INTEGERS_15.0.len() as u32).to_le_bytes(),
-        b"\x02\0\x02\0\x06\0\0\0\x08\0\0\0",
+        b"\x02\0\x02\0\x06\0\x08\0",
     ];
-    assert_eq!(INTEGERS_15.0[..32], expected.concat());
+    assert_eq!(INTEGERS_15.0[..HEADER], expected.concat());
     let (bytes, sum) = INTEGERS_15.0.split_at(INTEGERS_15.0.len() - 4);
     assert_eq!(crc32fast::hash(bytes).to_le_bytes(), sum);
 }
@@ -102,22 +102,18 @@ fn errors_say_which_they_are() {
     let mut found = vec![
         (of(b""), Fault::BadMagic.into()),
         (of(b"EIGSHADE, another file altogether"), Fault::BadMagic.into()),
-        (of(b"EIGSWIRE"), Fault::Length { expected: 32, found: 8 }.into()),
+        (of(b"EIGSWIRE"), Fault::Length { expected: HEADER, found: 8 }.into()),
         (of(&SPHERE.0[..100]), Fault::Length { expected: length, found: 100 }.into()),
-        (with(&SPHERE.0, 12, 4), Fault::Version(4).into()),
+        (with(&SPHERE.0, 12, 3), Fault::Version(3).into()),
         (with(&SPHERE.0, 14, 7), Fault::Format { expected: NumberFormat::F32, found: 7 }.into()),
         (of(&INTEGERS_15.0), Fault::Format { expected: NumberFormat::F32, found: 2 }.into()),
-        (of(&GENERAL.0), Fault::Images { found: 4 }.into()),
         (with(&SPHERE.0, 21, 2), Fault::Shape { degree: 514, order: 2 }.into()),
-        (with(&GENERAL.0, 28, 12), Fault::Section { number: 11 }.into()),
-        (with(&SPHERE.0, 28, 10), Fault::Section { number: 9 }.into()),
-        (with(&SPHERE.0, 28, 8), WireError::Parts(without_terms)),
-        (with(&SPHERE.0, 32, 2), Fault::Section { number: 0 }.into()),
-        (with(&SPHERE.0, 35, 2), Fault::Section { number: 0 }.into()),
-        (with(&SPHERE.0, 36, 1), Fault::Section { number: 0 }.into()),
+        (with(&SPHERE.0, 26, 10), Fault::Section { number: 9 }.into()),
+        (with(&SPHERE.0, 26, 8), WireError::Parts(without_terms)),
+        (with(&SPHERE.0, HEADER, 2), Fault::Section { number: 0 }.into()),
+        (with(&SPHERE.0, HEADER + 3, 2), Fault::Section { number: 0 }.into()),
+        (with(&SPHERE.0, HEADER + 4, 1), Fault::Section { number: 0 }.into()),
     ];
-    let of_sphere = GeneralBasis::from_bytes(&SPHERE.0).expect_err("no eigenimages");
-    found.push((of_sphere, Fault::Images { found: 0 }.into()));
     let refused = aligned(&SPHERE.0, &mut [0; 3]).expect_err("too little");
     found.push((refused.into(), Fault::Room { needed: length / 4, found: 3 }.into()));
     for (found, expected) in &found {
@@ -125,7 +121,7 @@ fn errors_say_which_they_are() {
     }
     // More components than profiles serve.
     let contradiction = WireError::Parts(Error::Parts);
-    let kinds: [&[u8]; 3] = [&SPHERE.0, &GENERAL.0, &INTEGERS_15.0];
+    let kinds: [&[u8]; 2] = [&SPHERE.0, &INTEGERS_15.0];
     for (kind, file) in kinds.into_iter().enumerate() {
         let mut bytes = file.to_vec();
         bytes[24] += 1;
@@ -156,10 +152,10 @@ fn the_other_byte_order_is_told() {
         number.reverse();
         assert_eq!(number, big[at..at + width], "{at}");
     };
-    (12..16).step_by(2).chain((20..32).step_by(2)).for_each(|at| turned(at, 2));
+    (12..16).step_by(2).chain((20..HEADER).step_by(2)).for_each(|at| turned(at, 2));
     // Polar integrals, factors and terms are four bytes each.
     for section in 6..9 {
-        let (start, length) = (long(32 + 8 * section), long(36 + 8 * section));
+        let (start, length) = (long(HEADER + ENTRY * section), long(HEADER + ENTRY * section + 4));
         (start..start + length).step_by(4).for_each(|at| turned(at, 4));
     }
 }

@@ -168,7 +168,7 @@ fn textured() -> [Path; 3] {
         };
         let texels: Vec<Texel> = Axes::spread(PIXELS).each().enumerate().map(texel).collect();
         let blend = Blend::of(texels.iter().map(|texel| texel.roughness)).expect("weights");
-        let mut shader = Shader::new(basis.any().expect("a basis"), usize::MAX);
+        let mut shader = Shader::new(basis.basis().expect("a basis"), usize::MAX);
         let (light, multiply_adds) = (light.clone(), sources.len() * OF_A_SOURCE);
         Path {
             name: name.to_owned(),

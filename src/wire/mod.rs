@@ -1,10 +1,9 @@
 //! Tables that are loaded at run time, from a flash page, a file or a fetch, and read in place.
 //!
 //! `eigenshade pack` writes such a file from a table; `docs/formats.md` documents its format byte
-//! by byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
-//! [`q15::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
-//! nothing is allocated. Any sequence of bytes gives either a basis or a [`WireError`]. Bytes after
-//! the file, such as the rest of a flash page, are ignored.
+//! by byte. [`Basis::from_bytes`] and [`q15::Basis::from_bytes`] return a basis that borrows the
+//! bytes: nothing is copied and nothing is allocated. Any sequence of bytes gives either a basis or
+//! a [`WireError`]. Bytes after the file, such as the rest of a flash page, are ignored.
 //!
 //! The checksum is computed four bits at a time, with two look-ups per byte in a table of 64 bytes.
 //!
@@ -26,13 +25,11 @@
 //! ```
 
 pub use crate::basis::Parts;
-pub use crate::general::GeneralParts;
 pub use crate::index::format::NumberFormat;
 pub use crate::index::wire::{Aligned, Fault, Header, aligned};
 
 use crate::basis::Basis;
 use crate::error::Error;
-use crate::general::GeneralBasis;
 use crate::index::wire::{read_floats, read_integers};
 use crate::q15;
 use core::fmt;
@@ -80,40 +77,7 @@ impl<'a> Basis<'a> {
     ///
     /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
-        let (parts, general) = read_floats(bytes)?;
-        match general.components {
-            0 => Ok(Self::new(parts)?),
-            found => Err(Fault::Images { found }.into()),
-        }
-    }
-}
-
-impl<'a> GeneralBasis<'a> {
-    /// Reads the basis of an object other than the sphere from a [wire](crate::wire) file.
-    /// Otherwise the same as [`Basis::from_bytes`].
-    ///
-    /// ```
-    /// use eigenshade::wire::WireError;
-    /// use eigenshade::{Coefficients, GeneralBasis, Light, Material};
-    ///
-    /// fn project(file: &[u8], light: &Light) -> Result<Coefficients<20>, WireError> {
-    ///     let basis = GeneralBasis::from_bytes(file)?;
-    ///     Ok(basis.project::<500, 20>(light, &Material::new(&[2.0])?)?)
-    /// }
-    ///
-    /// assert!(project(&[], &Light::new(&[3.5])?).is_err());
-    /// # Ok::<(), eigenshade::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// A [`WireError`] for any bytes that are not such a file.
-    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
-        let (span, parts) = read_floats(bytes)?;
-        if parts.components == 0 {
-            return Err(Fault::Images { found: 0 }.into());
-        }
-        Ok(Self::new(Basis::new(span)?, parts)?)
+        Ok(Self::new(read_floats(bytes)?)?)
     }
 }
 

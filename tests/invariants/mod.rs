@@ -18,7 +18,7 @@ pub use ways::{project_reconstruct, public_interface};
 use eigenshade::q15::{self, Transfer};
 use eigenshade::truncation::Tolerance;
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{Basis, GeneralBasis, Light, Material, Normal, Q15};
+use eigenshade::{Basis, Light, Material, Normal, Q15};
 use eigenshade_table::{light, material, wire};
 use integer::Mantissa as _;
 use shading::{collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer};
@@ -128,10 +128,9 @@ pub fn from_bytes(bytes: &[u8]) {
 }
 
 /// The error of each kind of basis that cannot be read from these bytes. Every other one is used.
-pub fn read(bytes: &[u8]) -> [Option<WireError>; 3] {
+pub fn read(bytes: &[u8]) -> [Option<WireError>; 2] {
     [
         Basis::from_bytes(bytes).map(|basis| floats(&basis)).err(),
-        GeneralBasis::from_bytes(bytes).map(|basis| general(&basis)).err(),
         q15::Basis::from_bytes(bytes).map(|basis| integers(&basis)).err(),
     ]
 }
@@ -169,25 +168,6 @@ pub fn floats(basis: &Basis<'_>) {
     let tolerance = Tolerance::OfPeak(0.01);
     let within = basis.collapse_within(&d, tolerance, &mut lengths, buffer);
     let _ = within.expect("sizes").0.shade(normal);
-}
-
-/// See [`floats`].
-pub fn general(basis: &GeneralBasis<'_>) {
-    let span = basis.span();
-    floats(span);
-    let ones = vec![1.0; light::count(span.degree())];
-    let light = Light::new(&ones).expect("a light");
-    let ones = vec![1.0; material::count(span.order())];
-    let material = Material::new(&ones).expect("a material");
-    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut d = vec![1.0; basis.components()];
-    let done = basis.project_into(&light, &material, &mut workspace, &mut d);
-    assert!(done.is_ok() || !span.projects());
-    basis.reconstruct(&d, normal, &mut workspace).expect("sizes");
-    let buffer = vec![0.0; span.scene_len()];
-    let scene = basis.collapse_into(&d, &mut workspace, buffer).expect("sizes");
-    let _ = scene.shade(normal);
 }
 
 /// See [`floats`].

@@ -1,12 +1,9 @@
-//! What holds for every scene: properties, on random degrees, orders, lights,
-//! materials, objects, selections and cut-offs.
+//! What holds for every scene: properties, on random degrees, orders, lights, materials, selections
+//! and cut-offs.
 //!
 //! The same few scenes each time. To search further:
-//! `PROPTEST_CASES=1000 PROPTEST_RNG_SEED=7 cargo test --test properties`. What such a
-//! search finds becomes a test by name, in `found`.
+//! `PROPTEST_CASES=1000 PROPTEST_RNG_SEED=7 cargo test --test properties`.
 
-mod found;
-mod objects;
 mod samples;
 mod sphere;
 

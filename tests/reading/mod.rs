@@ -1,11 +1,9 @@
-//! Shared by the tests of reading: half a sphere and an object of some hundred normals with the
-//! runtime over their pixels, dense formulas by another library, and how far two lists of numbers
-//! are apart.
+//! Shared by the tests of reading: half a sphere with the runtime over its pixels, dense formulas by
+//! another library, and how far two lists of numbers are apart.
 
 use crate::oracle::Numbers;
 use crate::tolerances;
-use eigenshade_generator::basis::moments::LightStatistics;
-use eigenshade_generator::basis::moments::{MaterialMoments, equal};
+use eigenshade_generator::basis::moments::{LightMoments, MaterialMoments};
 use eigenshade_generator::reading::light_estimate::Explained;
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
@@ -15,13 +13,11 @@ use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance;
 use eigenshade_model::reference::DirectSum;
-use eigenshade_model::rotation::Rotation;
-use eigenshade_table::scene::{Criterion, LightRotation};
+use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, light, material};
 use eigenshade_testing::fixtures::{self, Projector};
-use eigenshade_testing::{largest, pictures};
+use eigenshade_testing::largest;
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::TAU;
 
 pub const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
 /// Pixels of an image.
@@ -68,19 +64,18 @@ pub fn image_of_modes(c: &ModeCoefficients, [x, y, z]: [f64; 3]) -> f64 {
 }
 
 /// The shipped databases, cut to a degree and an order.
-pub fn scene(criterion: Criterion, rotation: LightRotation, components: usize) -> Loaded {
+pub fn scene(criterion: Criterion, components: usize) -> Loaded {
     let mut loaded = fixtures::shipped("curet");
     loaded.lights = loaded.lights.truncated(DEGREE);
     loaded.materials = loaded.materials.truncated(ORDER);
     let scene = &mut loaded.scene;
     (scene.light.degree, scene.material.order) = (DEGREE, ORDER);
-    (scene.basis.criterion, scene.light.rotation) = (criterion, rotation);
-    scene.basis.components = Some(components);
+    (scene.basis.criterion, scene.basis.components) = (criterion, Some(components));
     scene.basis.profile_tolerance = 1e-13;
     loaded
 }
 
-/// The pixels of a sphere or of an object, and its table.
+/// The pixels of half a sphere, and its table.
 pub struct Subject {
     pub loaded: Loaded,
     pub table: Table,
@@ -91,8 +86,8 @@ pub struct Subject {
 
 impl Subject {
     /// Half a sphere, seen twice as well above as below.
-    pub fn sphere(criterion: Criterion, components: usize) -> Self {
-        let loaded = scene(criterion, LightRotation::Any, components);
+    pub fn new(criterion: Criterion, components: usize) -> Self {
+        let loaded = scene(criterion, components);
         let table = fixtures::table(&loaded);
         let mut numbers = Numbers(3);
         let normals = std::iter::from_fn(|| Some(numbers.normal()));
@@ -100,29 +95,6 @@ impl Subject {
         let weights = normals.iter().map(|[_, y, _]| if *y > 0.0 { 2.0 } else { 0.5 }).collect();
         let projector = Projector::new(&table);
         Self { loaded, table, normals, weights, projector }
-    }
-
-    /// An object of some hundred normals, whose weights sum to 1.
-    pub fn object(criterion: Criterion, rotation: LightRotation, components: usize) -> Self {
-        let mut loaded = scene(criterion, rotation, components);
-        loaded.lights.entries.truncate(12);
-        loaded.materials.entries.truncate(20);
-        let mut numbers = Numbers(3);
-        let pairs = std::iter::from_fn(|| Some((numbers.normal(), 1.5 + numbers.next())));
-        let listed = pictures::listed(pairs.filter(|([x, _, _], _)| *x > -0.4).take(COUNT));
-        let table = pictures::table(&loaded, &listed);
-        let (normals, weights) = (listed.normals().to_vec(), listed.weights().to_vec());
-        let projector = Projector::new(&table);
-        Self { loaded, table, normals, weights, projector }
-    }
-
-    /// A sphere, and an object under light that rotates like this.
-    pub fn both(criterion: Criterion, rotation: LightRotation, components: usize) -> [Self; 2] {
-        [Self::sphere(criterion, components), Self::object(criterion, rotation, components)]
-    }
-
-    fn rotation(&self) -> LightRotation {
-        self.loaded.scene.light.rotation
     }
 
     /// d by the runtime.
@@ -195,10 +167,9 @@ impl Subject {
     pub fn prior(&self) -> (Transfers, Prior) {
         let transfers = Transfers::new(&self.table, usize::MAX);
         let (lights, normalize) = (&self.loaded.lights, self.loaded.scene.light.normalize);
-        let weights = equal(lights.entries.len());
-        let light = LightStatistics::new(lights, normalize, self.rotation(), &weights);
+        let light = LightMoments::new(lights, normalize);
         let materials = MaterialMoments::new(&self.loaded.materials);
-        let prior = Prior::new(&self.table, &transfers, &light.expect("statistics"), materials);
+        let prior = Prior::new(&self.table, &transfers, &light.expect("moments"), materials);
         (transfers, prior.expect("a prior"))
     }
 
@@ -217,59 +188,30 @@ impl Subject {
         lights.iter().map(square).sum::<f64>() / (lights.len() * (2 * l + 1)) as f64
     }
 
-    /// Mean and covariance of the lights: of the database, or of all their rotations.
+    /// Mean and covariance of all rotations of the lights.
     pub fn statistics(&self) -> (DVector<f64>, DMatrix<f64>) {
         let mut center = DVector::zeros(LIGHT);
-        if self.rotation() == LightRotation::Any {
-            // Every L_0^0 is 1.
-            center[0] = 1.0;
-            let power =
-                light::indices(DEGREE).map(|(l, _)| if l == 0 { 0.0 } else { self.power(l) });
-            return (center, DMatrix::from_diagonal(&DVector::from_iterator(LIGHT, power)));
-        }
-        let lights = self.lights();
-        let lights = DMatrix::from_fn(LIGHT, lights.len(), |i, j| lights[j][i]);
-        let center = lights.column_mean();
-        let spread = DMatrix::from_fn(LIGHT, lights.ncols(), |i, j| lights[(i, j)] - center[i]);
-        let covariance = &spread * spread.transpose() / lights.ncols() as f64;
-        (center, covariance)
+        // Every L_0^0 is 1.
+        center[0] = 1.0;
+        let power = light::indices(DEGREE).map(|(l, _)| if l == 0 { 0.0 } else { self.power(l) });
+        (center, DMatrix::from_diagonal(&DVector::from_iterator(LIGHT, power)))
     }
 
-    /// E{d dᵀ} by the runtime's projections: of each light at each angle, or, turned freely, of
-    /// L_0^0 and then of every harmonic alone.
+    /// E{d dᵀ} by the runtime's projections of L_0^0, then of every harmonic alone.
     pub fn second_moment(&self) -> DMatrix<f64> {
-        let turned = |light: &Vec<f64>, k: usize| {
-            let alpha = TAU * (k as f64 + 0.3) / (4 * DEGREE + 3) as f64;
-            Rotation { alpha, beta: 0.0, gamma: 0.0 }.turn(DEGREE, light)
-        };
-        let samples: Vec<Vec<f64>> = match self.rotation() {
-            LightRotation::None => self.lights(),
-            LightRotation::Vertical => {
-                let every = |light| (0..4 * DEGREE + 3).map(move |k| turned(light, k));
-                self.lights().iter().flat_map(every).collect()
-            }
-            LightRotation::Any => {
-                let powers = light::indices(DEGREE).map(|(l, _)| self.power(l).sqrt());
-                let unit = |(place, length)| {
-                    let mut light = vec![0.0; LIGHT];
-                    light[place] = length;
-                    light
-                };
-                powers.enumerate().map(unit).collect()
-            }
-        };
-        let (free, dark) = (self.rotation() == LightRotation::Any, self.dark());
+        let dark = self.dark();
         let materials = &self.loaded.materials.entries;
-        let count = materials.len() * if free { 1 } else { samples.len() };
         let mut moment = DMatrix::zeros(dark.len(), dark.len());
         for material in materials.iter().map(Named::luminance) {
-            for light in &samples {
-                let mut d = self.project(light, &material);
-                // Every L_0^0 is 1 here: a harmonic alone is a difference from it.
-                if free && light[0] == 0.0 {
+            for (place, (l, _)) in light::indices(DEGREE).enumerate() {
+                let mut light = vec![0.0; LIGHT];
+                light[place] = self.power(l).sqrt();
+                let mut d = self.project(&light, &material);
+                // Every L_0^0 is 1: another harmonic alone is a difference from it.
+                if place > 0 {
                     d -= &dark;
                 }
-                moment += &d * d.transpose() / count as f64;
+                moment += &d * d.transpose() / materials.len() as f64;
             }
         }
         moment
@@ -286,10 +228,7 @@ impl Subject {
 
     /// The eigenvalue of each component; the constant has none.
     pub fn eigenvalues(&self) -> Vec<Option<f64>> {
-        match &self.table.general {
-            Some(general) => general.eigenvalues.clone(),
-            None => self.table.components.iter().map(|one| one.eigenvalue).collect(),
-        }
+        self.table.components.iter().map(|one| one.eigenvalue).collect()
     }
 }
 

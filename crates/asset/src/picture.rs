@@ -212,8 +212,8 @@ impl Scene<'_> {
         }
         let components = self.settings.components.unwrap_or(usize::MAX);
         let basis = OwnedBasis::new(self.table)?;
-        let mut shader =
-            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, components)
+            .with_transfers(basis.transfers());
         let window = match self.settings.window {
             Some(window) => window,
             // Parts of a picture may be dark.

@@ -1,10 +1,8 @@
 //! Bad files of every kind that an object's normals may come from: cut short, of another type, of
-//! an absurd size, with a number that is not finite; and scenes with bad objects. Each gives one
-//! line that names the file, and nothing is written.
+//! an absurd size, with a number that is not finite; and scenes of objects that have no table. Each
+//! gives one line that names the file, and nothing is written.
 
-use crate::support::files::{
-    claims, gray_png, normal_map, obj, ply, ply_header, square_png, stl, with_geometry,
-};
+use crate::support::files::{claims, gray_png, normal_map, obj, ply, ply_header, square_png, stl};
 use crate::support::{Folder, NEW_BASIS, assert_fails, scene};
 use png::{BitDepth, ColorType};
 use std::time::Instant;
@@ -32,34 +30,32 @@ fn list(count: &[u8]) -> Vec<u8> {
     count.iter().copied().chain([0i32, 1, 2].iter().flat_map(|place| place.to_le_bytes())).collect()
 }
 
-/// Asserts that `basis` refuses the scene of this geometry, and takes no time for it.
-fn assert_refused(folder: &Folder, geometry: &str, fragments: &[&str]) {
-    folder.write("scene.toml", with_geometry(geometry));
-    let start = Instant::now();
-    assert_fails(folder, NEW_BASIS, fragments);
-    assert!(start.elapsed().as_secs() < 20, "{geometry}");
-}
-
-/// The same of each object's file.
+/// Asserts that a picture of each object's file is refused, and takes no time for it.
 fn assert_each(cases: &[(&str, &[u8], &[&str])]) {
     let folder = Folder::new();
     for (name, bytes, fragments) in cases {
         folder.write(name, bytes);
-        let geometry = format!("normals = \"{name}\"\n");
-        assert_refused(&folder, &geometry, &[&[*name][..], fragments].concat());
+        let command = match name.ends_with(".csv") {
+            true => "shade --out new.csv",
+            false => "render --out new.png",
+        };
+        let command = format!("{command} --light lobby --material chrome --normals {name}");
+        let start = Instant::now();
+        assert_fails(&folder, &command, &[&[*name][..], fragments].concat());
+        assert!(start.elapsed().as_secs() < 20, "{name}");
     }
 }
 
 #[test]
 fn lists_of_normals() {
     assert_each(&[
-        ("cut.csv", b"x,y,z,weight\n0,0,1,1\n0,0,1", &["cut.csv:3:", "4 fields"]),
+        ("cut.csv", b"x,y,z,id\n0,0,1,1\n0,0,1", &["cut.csv:3:", "4 fields"]),
         ("header.csv", b"a,b,c\n0,0,1\n", &["header.csv:1:"]),
         ("foreign.csv", FOREIGN, &["UTF-8"]),
         ("empty.csv", b"x,y,z\n", &["no normal"]),
         ("nan.csv", b"x,y,z\n0,0,1\n0,nan,1\n", &["nan.csv:3:", "`nan`"]),
         ("doubled.csv", b"x,y,z,z\n0,0,1,1\n", &["doubled.csv:1:", "column 4", "`z`"]),
-        ("infinite.csv", b"x,y,z,weight\n0,0,1,1e999\n", &["infinite.csv:2:", "`1e999`"]),
+        ("infinite.csv", b"x,y,z\n0,0,1e999\n", &["infinite.csv:2:", "`1e999`"]),
     ]);
 }
 
@@ -183,78 +179,36 @@ fn normal_maps() {
 }
 
 #[test]
-fn densities() {
-    let many: String = (0..9002).map(|k| format!("{},1\n", 1.5e-4 * f64::from(k))).collect();
-    let many = format!("slant,density\n{many}");
-    let folder = Folder::new();
-    let refused = |density: &str, fragments: &[&str]| {
-        let geometry = format!("normals = \"slant-density\"\ndensity = \"{density}\"\n");
-        assert_refused(&folder, &geometry, fragments);
-    };
-    for (name, bytes, fragment) in [
-        ("cut.csv", &b"slant,density\n0,1\n0.5"[..], "cut.csv:3:"),
-        ("cut.csv", b"slant,density\n0,1\n0.5", "2 fields"),
-        ("header.csv", b"a,b\n0,1\n1,1\n", "header.csv:1:"),
-        ("foreign.csv", FOREIGN, "UTF-8"),
-        ("many.csv", many.as_bytes(), "9002 slants"),
-        ("nan.csv", b"slant,density\n0,nan\n1,1\n", "nan.csv:2:"),
-        ("infinite.csv", b"slant,density\n0,1\n1,1e999\n", "infinite.csv:3:"),
-        ("falls.csv", b"slant,density\n0.5,1\n0.2,1\n", "falls.csv:3:"),
-        ("beyond.csv", b"slant,density\n0.5,1\n2.2,1\n", "beyond.csv:3:"),
-        ("one.csv", b"slant,density\n0.5,1\n", "one.csv"),
-    ] {
-        folder.write(name, bytes);
-        refused(name, &[name, fragment]);
-    }
-    let deep = |open: &str| open.repeat(100_000) + "a" + &")".repeat(100_000);
-    for (formula, fragments) in [
-        ("cos(a", &["density", "cos(a"][..]),
-        ("cos(", &["cos("]),
-        ("%PNG", &["density", "%PNG"]),
-        ("1/(a-a)", &["density", "slant"]),
-        ("log(0*a)", &["density", "slant"]),
-        (&deep("("), &["density", "200001 letters"]),
-        (&deep("sin("), &["density", "500001 letters"]),
-        ("1e308 cos(a)", &["is not a formula"]),
-        ("1e999*cos(a)", &["is inf", "finite"]),
-        ("cos(b)", &["variable `b`"]),
-        ("-1", &["density"]),
-        ("2^-a", &["parentheses"]),
-    ] {
-        refused(formula, fragments);
-    }
+fn bad_objects() {
+    let away = [0.5, 0.5, 0.0].repeat(64);
+    let away = square_png(8, ColorType::Rgb, BitDepth::Eight, &away);
+    let wide = claims(normal_map(BitDepth::Eight), 16_384, 16_384);
+    assert_each(&[
+        ("short.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n", &["line 5", "corners"]),
+        ("wide.png", &wide, &["16384 x 16384"]),
+        ("back.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n", &["faces away"]),
+        ("away.png", &away, &["pixel 0, 0"]),
+    ]);
 }
 
+/// A table is that of a sphere: a scene of another object, or of light that does not turn, says what
+/// to do.
 #[test]
-fn scenes_of_bad_objects() {
+fn scenes_of_other_objects() {
     let folder = Folder::new();
-    folder.write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n");
-    folder.write("wide.png", claims(normal_map(BitDepth::Eight), 16_384, 16_384));
-    folder.write("back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n");
-    folder.write("n.png", normal_map(BitDepth::Eight));
-    folder.write("small.png", gray_png(8, 8, &[255; 64]));
-    folder.write("black.png", gray_png(64, 64, &[0; 64 * 64]));
-    let away = [0.5, 0.5, 0.0].repeat(64);
-    folder.write("away.png", square_png(8, ColorType::Rgb, BitDepth::Eight, &away));
-    folder.write("weight.csv", "x,y,z,weight\n0,0,1,-1\n");
-    folder.write("weightless.csv", "x,y,z,weight\n0,0,1,0\n");
-    for (geometry, fragments) in [
-        ("normals = \"none.obj\"", &["none.obj"][..]),
-        ("normals = \"short.obj\"", &["short.obj", "line 5", "corners"]),
-        ("normals = \"wide.png\"", &["wide.png", "16384 x 16384"]),
-        ("normals = \"back.obj\"", &["back.obj", "faces away"]),
-        ("normals = \"n.png\"\nmask = \"small.png\"", &["small.png", "8 x 8"]),
-        ("normals = \"n.png\"\nmask = \"black.png\"", &["n.png", "no normal is visible"]),
-        ("normals = \"away.png\"", &["away.png", "pixel 0, 0"]),
-        ("normals = \"sphere\"\nmask = \"n.png\"", &["mask"]),
-        ("normals = \"sphere\"\ndensity = \"cos(a)\"", &["density"]),
-        ("normals = \"slant-density\"", &["density"]),
-        ("normals = \"weight.csv\"", &["weight.csv:2:", "negative"]),
-        ("normals = \"weightless.csv\"", &["weightless.csv"]),
-        ("normals = \"cube\"", &["cube"]),
+    let of_sphere = scene("image-centered", 10, "[]");
+    let remedy = "leave [geometry] out for a sphere, or name a mesh with geometry.object";
+    for (section, expected) in [
+        ("[geometry]\nnormals = \"sphere\"\n", "scene.toml:2: geometry.normals: "),
+        ("[geometry]\nmask = \"a.png\"\n", "scene.toml:2: geometry.mask: "),
+        ("\n[geometry]\n", "scene.toml:2: [geometry]: "),
     ] {
-        assert_refused(&folder, &format!("{geometry}\n"), fragments);
+        folder.write("scene.toml", format!("{section}{of_sphere}"));
+        assert_fails(&folder, NEW_BASIS, &[expected, "a table is that of a sphere", remedy]);
     }
+    folder.write("scene.toml", of_sphere.replace("[material]", "rotation = \"none\"\n[material]"));
+    let expected = ["scene.toml:4: light.rotation: ", "turns freely; leave it out"];
+    assert_fails(&folder, NEW_BASIS, &expected);
 }
 
 #[test]

@@ -12,7 +12,7 @@ use eigenshade_model::inputs::coefficient_csv::read_materials;
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::shipped;
-use eigenshade_table::{General, MeanImage, Table, decode, encode};
+use eigenshade_table::{MeanImage, Table, decode, encode};
 use std::process::Command;
 
 const RENDER: &str = "render --table materials.bin --light lights.csv:light-0 \
@@ -171,42 +171,6 @@ fn contradictions_are_damage() {
     assert_fails(&folder, check, &["transfers differ"]);
 }
 
-/// Tables of objects may leave U out as well; their pictures are the same.
-#[test]
-fn tables_of_objects_leave_modes_out() {
-    for (criterion, rotation) in [("image-centered", "any"), ("standard", "none")] {
-        let folder = Folder::new();
-        let whole = scene(criterion, 12, "[]")
-            .replace("normals = \"sphere\"", "normals = \"normals.csv\"")
-            .replace("rotation = \"any\"", &format!("rotation = \"{rotation}\""));
-        for store in STORES {
-            let text = whole.clone() + &format!("store = \"{store}\"\n");
-            folder.write(&format!("{store}.toml"), text);
-        }
-        for store in ["modes", "projection"] {
-            folder.ok(&format!("basis --scene {store}.toml --out {store}.bin"));
-            folder.ok(&format!("basis --scene {store}.toml --check {store}.bin"));
-        }
-        let [modes, projection] = ["modes.bin", "projection.bin"].map(|name| folder.table(name));
-        let general = |table: &Table| table.general.clone().expect("an object's");
-        assert!(general(&projection).modes.is_empty() && !general(&modes).modes.is_empty());
-        assert!(projection.profiles.iter().all(|profile| profile.modes.is_empty()));
-        assert!(encode(&projection).len() < encode(&modes).len());
-        // Everything else is equal.
-        let mut emptied = modes.clone();
-        emptied.scene = projection.scene.clone();
-        emptied.keep(std::iter::empty());
-        assert_eq!(emptied, projection);
-        let broken = Table { scene: projection.scene.clone(), ..modes };
-        assert!(decode(&encode(&broken)).is_err());
-
-        let shade = |table: &str| folder.shaded_by(table, "--format f64");
-        assert_eq!(shade("projection.bin"), shade("modes.bin"));
-        let basis = "basis --scene materials.toml --out new.bin";
-        assert_fails(&folder, basis, &["store = \"materials\"", "store = \"projection\""]);
-    }
-}
-
 /// The folder with a changed table.
 fn altered(folder: Folder, change: impl FnOnce(&mut Table)) -> Folder {
     let mut table = folder.table("b.bin");
@@ -270,26 +234,16 @@ fn polynomials_of_other_lengths_are_compared_term_by_term() {
     assert_differs(&folder, "terms of one table only");
 }
 
-/// The mean image; and of objects eigenimages, their modes, and the projection.
 #[test]
-fn altered_means_and_objects_are_found() {
+fn altered_means_are_found() {
     fn mean(table: &mut Table) -> &mut MeanImage {
         table.mean.as_mut().unwrap()
     }
-    fn general(table: &mut Table) -> &mut General {
-        table.general.as_mut().unwrap()
-    }
-    let standard = scene("standard", 30, "[]");
-    let object = scene("image-centered", 12, "[]").replace("\"any\"", "\"vertical\"");
-    for (scene, change, what) in [
-        (&standard, (|table| mean(table).chebyshev[1] += 1e-6) as fn(&mut Table), "polynomials"),
-        (&standard, |table| mean(table).coefficients[0] += 1e-6, "coefficients of the mean"),
-        (&object, |table| general(table).synthesis[3] += 0.1, "eigenimages drawn"),
-        (&object, |table| general(table).synthesis[3] += 0.1, "d of the eigenimages"),
-        (&object, |table| general(table).modes[3] += 0.1, "d of their modes"),
-        (&object, |table| general(table).projection[3] += 0.1, "rows of U^T M"),
+    for (change, what) in [
+        ((|table| mean(table).chebyshev[1] += 1e-6) as fn(&mut Table), "polynomials"),
+        (|table| mean(table).coefficients[0] += 1e-6, "coefficients of the mean"),
     ] {
-        let folder = built(scene, &[]);
+        let folder = built(&scene("standard", 30, "[]"), &[]);
         folder.ok(CHECK);
         assert_differs(&altered(folder, change), what);
     }

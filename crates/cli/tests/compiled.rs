@@ -22,28 +22,20 @@ const NORMALS: [[f64; 3]; 4] =
     [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.28, -0.96, 0.0]];
 
 /// Name, geometry, rotation, degree, order, criterion, components, modes.
-type Kind = (&'static str, &'static str, &'static str, usize, usize, &'static str, usize, usize);
+type Kind = (&'static str, usize, usize, usize);
 
-const KINDS: [Kind; 5] = [
-    ("centered", "sphere", "any", 9, 7, "image-centered", 37, 0),
-    ("lambertian", "sphere", "any", 2, 0, "image-centered", 9, 0),
-    ("high", "sphere", "any", 12, 12, "image-centered", 60, 0),
-    ("object", "object.csv", "vertical", 4, 3, "image-centered", 25, 0),
-    ("captured", "object.csv", "none", 4, 3, "image-centered", 12, 0),
-];
+const KINDS: [Kind; 3] = [("centered", 9, 7, 37), ("lambertian", 2, 0, 9), ("high", 12, 12, 60)];
 
 fn table(folder: &Folder, kind: &Kind) -> (Table, Lights, Materials) {
-    let (name, normals, rotation, degree, order, criterion, components, modes) = kind;
+    let (name, degree, order, components) = kind;
     folder.write("lights.csv", lights(*degree, 3));
     folder.write("materials.csv", materials(*order, 4));
-    folder.write("object.csv", "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n");
     folder.write(
         "scene.toml",
         format!(
-            "[geometry]\nnormals = \"{normals}\"\n\
-             [light]\ndegree = {degree}\ndatabase = \"lights.csv\"\nrotation = \"{rotation}\"\n\
+            "[light]\ndegree = {degree}\ndatabase = \"lights.csv\"\n\
              [material]\norder = {order}\ndatabase = \"materials.csv\"\n\
-             [basis]\ncriterion = \"{criterion}\"\ncomponents = {components}\nmodes = {modes}\n"
+             [basis]\ncriterion = \"image-centered\"\ncomponents = {components}\n"
         ),
     );
     let file = format!("{name}.bin");
@@ -150,7 +142,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         let light = rounded(lights.entries[1].luminance());
         let material = rounded(materials.entries[2].luminance());
         let owned = OwnedBasis::new(&table).expect("a table for f32");
-        let mut shader = Shader::new(owned.any().expect("a basis"), usize::MAX);
+        let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
         let d = shader.project(&light, &material).expect("d").to_vec();
         let normals = OwnedNormals::new(&NORMALS);
         let image = shader.polynomial(&light, &material, &normals).expect("an image");
@@ -158,7 +150,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         body += &print_floats(kind.0, &light, &material);
     }
     for (degree, order) in SIZES {
-        let small = ("small", "sphere", "any", degree, order, "image-centered", 30, 0);
+        let small = ("small", degree, order, 30);
         let (table, ..) = self::table(&folder, &small);
         let name = format!("of_{degree}_{order}");
         let parts = integers(&table, TOLERANCE).expect("parts");
@@ -271,7 +263,7 @@ fn info_describes_wire_files() {
         };
         let description = folder.ok("info --table w.esw");
         for line in [
-            "wire version             3".to_owned(),
+            "wire version             4".to_owned(),
             format!("format                   {format}"),
             format!("degree                   {DEGREE}"),
             format!("order                    {ORDER}"),
@@ -302,7 +294,7 @@ fn the_first_components_are_a_table_of_fewer() {
     folder.write("stored.toml", scene("image-centered", 5, "[]") + "store = \"materials\"\n");
     folder.ok("basis --scene stored.toml --out stored.bin");
     let stored = "pack --table stored.bin --components 2 --out new.esw";
-    assert_fails(&folder, stored, &["stored.bin", "a sphere's table that projects", "with fewer"]);
+    assert_fails(&folder, stored, &["stored.bin", "a table that projects", "with fewer"]);
 }
 
 #[test]

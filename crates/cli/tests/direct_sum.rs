@@ -104,7 +104,7 @@ fn errors_of_few_components_are_as_recorded() {
     assert_eq!(all, OF_COMPONENTS[5].0);
     assert_eq!(eigenshade_table::decode(shipped::TABLE).unwrap().count(), SHIPPED);
     for (components, recorded) in OF_COMPONENTS {
-        let mut shader = Shader::new(basis.any().unwrap(), components);
+        let mut shader = Shader::new(basis.basis().unwrap(), components);
         let (mut rms, mut largest, mut inner) = (Vec::new(), Vec::new(), Vec::new());
         for light in &lights.entries {
             for material in &materials.entries {

@@ -10,10 +10,6 @@ use eigenshade_table::{Table, light, material, mode, parts};
 /// The sum of pictures of effects against the picture of all, relative to the peak: rounding.
 const SUM_OF_EFFECTS: f64 = 9e-15;
 
-/// An object's table of some effects against the direct sum over their modes, relative to the peak:
-/// the rank cutoff of 1e-10, amplified by how weakly six normals determine the modes.
-const OBJECT_OF_EFFECTS: f64 = 1e-10;
-
 /// Effects in integers against f64, relative to the peak.
 const EFFECTS_Q15: f64 = 2e-3;
 
@@ -112,30 +108,10 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
     }
 }
 
-/// A table with a selection of modes, and an object that is not a sphere.
+/// A table with a selection of modes.
 #[test]
-fn selections_and_objects_have_effects() {
+fn selections_have_effects() {
     let folder = folder("standard");
-    let sphere = folder.read("scene.toml");
-    folder.write(
-        "object.csv",
-        "x,y,z\n0,0,1\n0.6,0,0.8\n0,0.6,0.8\n-0.6,0.48,0.64\n0.3,-0.4,0.8660254037844386\n\
-         -0.1,-0.7,0.7071067811865476\n",
-    );
-    for effects in every() {
-        let options = format!("--effects {}", names(effects).join(","));
-        folder.write("scene.toml", sphere.replace("sphere", "object.csv"));
-        make(&folder, effects, "object.bin");
-        folder.ok("basis --scene effects.toml --check object.bin");
-        folder.write("scene.toml", &sphere);
-        make(&folder, effects, "sphere.bin");
-        let of = |table: &str, method: &str| {
-            let inputs = format!("--table {table} {PAIR} --normals object.csv");
-            folder.irradiance(&format!("{inputs} {options} {method}"))
-        };
-        let reference = of("sphere.bin", "--method modes");
-        assert_near(&options, &of("object.bin", "--format f64"), &reference, OBJECT_OF_EFFECTS);
-    }
     // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
     folder.replace("scene.toml", "profile_tolerance", "modes = 60\nprofile_tolerance");
     let table = make(&folder, Effects::ALL, "few.bin");

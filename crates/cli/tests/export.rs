@@ -194,35 +194,6 @@ fn npz_files_have_no_date() {
     assert_eq!(file.last_modified(), Some(zip::DateTime::default()));
 }
 
-/// The eigenimages of an object are sums over the components.
-#[test]
-fn objects_have_their_own_arrays() {
-    let normals = "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n";
-    let text = scene("image-centered", 5, "[]").replace("\"sphere\"", "\"object.csv\"");
-    let folder = built(&text, &[("object.csv", normals.into())]);
-    let found = exported(&folder, "--table b.bin --normals object.csv");
-    let table = folder.table("b.bin");
-    let general = table.general.as_ref().expect("an object");
-    let span = table.components.len();
-    for (name, numbers) in [
-        ("object_synthesis", &general.synthesis),
-        ("object_projection", &general.projection),
-        ("object_modes", &general.modes),
-    ] {
-        assert_eq!(found[name], (vec![5, span], bits(numbers)));
-    }
-    // The eigenimages are orthonormal over the object's normals.
-    let images = floats(&found["eigenimages"]);
-    let normals = images.len() / 5;
-    for (i, a) in images.chunks(normals).enumerate() {
-        for (j, b) in images.chunks(normals).enumerate() {
-            let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / normals as f64;
-            let expected = f64::from(u8::from(i == j));
-            assert!((product - expected).abs() < 1e-6, "{i}, {j}: {product}");
-        }
-    }
-}
-
 /// A light of a higher degree than the table's, for an object with shadows.
 #[test]
 fn a_light_has_the_degree_that_is_asked() {

@@ -1,7 +1,7 @@
 //! Files as other programs write them: coefficients in their formats, normal maps in their
 //! conventions, byte order marks, and pictures that old programs read.
 
-use crate::support::files::{facets, normal_map, obj, png};
+use crate::support::files::{normal_map, obj, png};
 use crate::support::{Folder, assert_fails, numbers, rows};
 use png::{BitDepth, ColorType};
 
@@ -99,7 +99,6 @@ fn byte_order_marks_are_skipped() {
     folder.write("a.csv", csv());
     folder.write("m.toml", "[[material]]\nname = \"a\"\nmodel = \"lambertian\"\nalbedo = 0.5\n");
     folder.write("o.obj", obj());
-    folder.write("facets.csv", facets());
     for (name, command) in [
         ("a.csv", "light a.csv --from graphics"),
         ("m.toml", "material m.toml"),

@@ -3,7 +3,7 @@
 #![cfg(unix)]
 
 use crate::PROGRAM;
-use crate::support::files::{ply_header, square_png, with_geometry};
+use crate::support::files::{ply_header, square_png};
 use crate::support::{BASIS, Folder, NEW_BASIS, PAIR, SHADE, assert_fails, stderr};
 use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
@@ -38,10 +38,8 @@ fn pngs_that_expand() {
     let small = square_png(8, ColorType::Rgb, BitDepth::Eight, &[0.6; 192]);
     folder.write("small.png", &small);
     let expected = ["bomb.png: it has 67108864 pixels, too many to read; give at most 33554432"];
-    for geometry in ["normals = \"bomb.png\"\n", "normals = \"small.png\"\nmask = \"bomb.png\"\n"] {
-        folder.write("scene.toml", with_geometry(geometry));
-        assert_fails(&folder, NEW_BASIS, &expected);
-    }
+    let render = "render --light lobby --material chrome --normals bomb.png --out new.png";
+    assert_fails(&folder, render, &expected);
     for (image, options) in [
         ("bomb.png", "--normals sphere"),
         ("small.png", "--normals bomb.png"),
@@ -135,8 +133,9 @@ fn meshes_of_many_facets() {
     let file = File::options().write(true).open(path).expect("a file");
     file.set_len(84 + 50 * u64::from(facets)).expect("room");
     for name in ["fans.ply", "fans.obj", "many.stl"] {
-        folder.write("scene.toml", with_geometry(&format!("normals = \"{name}\"\n")));
-        assert_fails(&folder, NEW_BASIS, &[name, "too many to read; give at most 4194304"]);
+        let render =
+            format!("render --light lobby --material chrome --normals {name} --out new.png");
+        assert_fails(&folder, &render, &[name, "too many to read; give at most 4194304"]);
     }
 }
 
@@ -165,11 +164,8 @@ fn files_of_many_bytes() {
 #[test]
 fn tables_that_are_too_large() {
     let folder = Folder::of_size(64, 64, [1, 1]);
-    for rotation in ["any", "none"] {
-        folder.replace("scene.toml", "rotation = \"any\"", &format!("rotation = \"{rotation}\""));
-        let expected = ["scene.toml: a table of degree 64, order 64 needs", "reduce the degree"];
-        assert_fails(&folder, NEW_BASIS, &expected);
-    }
+    let expected = ["scene.toml: a table of degree 64, order 64 needs", "reduce the degree"];
+    assert_fails(&folder, NEW_BASIS, &expected);
 }
 
 /// The estimated memory is enough.

@@ -14,7 +14,7 @@ fn with_shader(test: impl Fn(Shader<'_>)) {
     let folder = Folder::with_table();
     let table = folder.table("b.bin");
     let owned = OwnedBasis::new(&table).expect("a table for f32");
-    let mut projector = Projector::new(owned.any().expect("a basis"), table.count());
+    let mut projector = Projector::new(owned.basis().expect("a basis"), table.count());
     let (light, material) = (vec![1.0; light::count(DEGREE)], vec![1.0; material::count(ORDER)]);
     projector.project(&light, &material).expect("a scene");
     test(Shader::new(&projector.scene().expect("a scene")));

@@ -156,7 +156,7 @@ fn assert_describes(choice: &Choice, table: &Table) {
     let lengths = parts::floats(table).lengths;
     let both = |(m, length): (usize, &u16)| usize::from(*length) * if m == 0 { 1 } else { 2 };
     let terms: usize = lengths.iter().enumerate().map(both).sum();
-    assert_eq!(choice.terms.expect("terms").kept, terms);
+    assert_eq!(choice.terms.kept, terms);
     assert!(choice.total <= choice.tolerance * (1.0 + CHOICE_STATED));
 }
 

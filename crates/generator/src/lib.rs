@@ -7,7 +7,7 @@
 //! * [`light::projection`] projects environment maps.
 //! * [`material`] fits measured BRDFs and projects formulas.
 //! * [`scene_file`] reads a scene and makes its table; [`build`] does this in a build script.
-//! * [`object`] draws and packs the normals of meshes and normal maps.
+//! * [`object`] draws the normals of meshes and normal maps.
 //! * [`reading`] estimates light and material from an image.
 //!
 //! The light of an environment map:
@@ -59,10 +59,8 @@ pub mod material {
 pub mod object {
     //! Objects: the normals that a camera sees.
 
-    pub mod density;
     pub(crate) mod depth_buffer;
     pub mod facet;
-    pub mod geometry;
     pub mod mesh;
     pub mod mesh_data;
     pub(crate) mod mesh_obj;
@@ -73,7 +71,6 @@ pub mod object {
     pub mod points;
     pub mod smooth;
     pub mod surface;
-    pub mod visibility;
 }
 
 pub mod basis;
@@ -89,9 +86,6 @@ pub mod reading {
     //! The pixels are collected once into an [`Observation`](observation::Observation), which then
     //! represents them in every estimate. It has at most a few rows more than the number of
     //! components. Each channel is an independent image.
-    //!
-    //! Tables for any object and any rotation of the light are supported: if components are sums
-    //! over a span, so are their images, transfers and modes.
     //!
     //! The derivations are in `docs/reading.md`.
 

@@ -1,26 +1,24 @@
-//! Reads a scene file, its databases and the normals of its object.
+//! Reads a scene file and its databases.
 
 use crate::basis;
 use crate::basis::choice::Choice;
-use crate::basis::general;
 use crate::highlights::{HighlightFiles, Highlights};
 use crate::material::analytic;
 use crate::material::brdf::{Measure, Surface};
-use crate::object::geometry::{Geometry, WeightedNormals};
-use crate::object::{density, mesh, normal_map};
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_model::inputs::normals::read_weighted_normals;
 use eigenshade_table::effect::Effects;
 use eigenshade_table::highlights::MAX_SOURCES;
-use eigenshade_table::scene::{self, LightRotation, is_share};
+use eigenshade_table::scene::{self, is_share};
 use eigenshade_table::{Scene, Table};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
+use toml::Spanned;
+use toml::de::DeTable;
 
 /// A scene with the databases that it names.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +31,6 @@ pub struct Loaded {
     pub materials: Materials,
     /// The order that all material files reach, at least the scene's.
     pub order_of_file: usize,
-    /// The normals of the object.
-    pub geometry: Geometry,
     /// Sources and gloss for a build script, if the scene names them.
     pub highlights: Option<Highlights>,
 }
@@ -43,7 +39,6 @@ pub struct Loaded {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    geometry: scene::Geometry,
     light: scene::Light,
     material: scene::Material,
     basis: scene::Basis,
@@ -54,13 +49,13 @@ struct File {
 
 impl File {
     fn parts(self) -> (Scene, Option<HighlightFiles>) {
-        let Self { geometry, light, material, basis, effects, highlights } = self;
-        (Scene { geometry, light, material, basis, effects }, highlights)
+        let Self { light, material, basis, effects, highlights } = self;
+        (Scene { light, material, basis, effects }, highlights)
     }
 }
 
 impl Loaded {
-    /// Makes the scene's table, azimuth by azimuth if the normals and the light allow it.
+    /// Makes the scene's table.
     ///
     /// # Errors
     ///
@@ -76,12 +71,7 @@ impl Loaded {
     ///
     /// The errors of [`basis::build`].
     pub fn chosen(&self) -> Result<(Table, Option<Choice>)> {
-        let Self { scene, lights, materials, geometry, .. } = self;
-        if *geometry == Geometry::Sphere && scene.light.rotation == LightRotation::Any {
-            basis::chosen(scene, lights, materials)
-        } else {
-            general::chosen(scene, geometry, lights, materials)
-        }
+        basis::chosen(&self.scene, &self.lights, &self.materials)
     }
 }
 
@@ -98,7 +88,9 @@ const LONGEST: u64 = 1 << 20;
 pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let file = file.into();
     let path = file.path();
-    let (scene, highlights) = from_toml::<File>(&text(&file)?, path)?.parts();
+    let text = text(&file)?;
+    check_sphere(&text, path)?;
+    let (scene, highlights) = from_toml::<File>(&text, path)?.parts();
     check(&scene, highlights.as_ref()).map_err(|error| error.in_file(path))?;
     let folder = file.folder();
     let is_missing = |name: &&String| !folder.join(name).exists();
@@ -126,12 +118,11 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
         materials.entries = named(&materials, &scene.material.names)
             .map_err(|error| error.in_file(folder.join(scene.material.database.join(", "))))?;
     }
-    let geometry = read_geometry(&scene.geometry, scene.light.degree, &file)?;
     let highlights = match &highlights {
         Some(files) => Some(Highlights::read(files, &file, &lights, &materials)?),
         None => None,
     };
-    Ok(Loaded { scene, lights, materials, order_of_file, geometry, highlights })
+    Ok(Loaded { scene, lights, materials, order_of_file, highlights })
 }
 
 /// The formulas of a file, projected to this order.
@@ -160,15 +151,9 @@ fn named_files<'a>(
     scene: &'a Scene,
     highlights: Option<&'a HighlightFiles>,
 ) -> impl Iterator<Item = &'a String> {
-    let geometry = &scene.geometry;
-    let object = match geometry.normals.as_str() {
-        "sphere" => None,
-        "slant-density" => geometry.density.as_ref().filter(|one| density::is_file(one)),
-        _ => Some(&geometry.normals),
-    };
     let databases = std::iter::once(&scene.light.database).chain(&scene.material.database);
     let highlights = highlights.into_iter().flat_map(|files| [&files.sources, &files.gloss]);
-    databases.chain(object).chain(&geometry.mask).chain(highlights)
+    databases.chain(highlights)
 }
 
 /// The materials of several files, to the lowest of their orders, and the highest order that all
@@ -213,54 +198,6 @@ fn named(materials: &Materials, names: &[String]) -> Result<Vec<Named>> {
     names.iter().map(find).collect()
 }
 
-/// Reads the geometry of a scene of the given `degree`. Paths are relative to the folder of the
-/// scene file.
-///
-/// # Errors
-///
-/// If the format is unknown, a mask or a density is given where it has no meaning, or a density is
-/// missing, or the file itself has an error.
-fn read_geometry(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -> Result<Geometry> {
-    let folder = scene.folder();
-    let name = geometry.normals.as_str();
-    let path = folder.join(name);
-    let file = scene.other(&path);
-    let extension = path.extension().and_then(|one| one.to_str()).unwrap_or_default();
-    let extension = extension.to_ascii_lowercase();
-    if geometry.mask.is_some() && extension != "png" {
-        return Err(Error::new(
-            format!("geometry.mask with normals = \"{name}\""),
-            "leave it out: only a normal map takes a mask",
-        ));
-    }
-    if geometry.density.is_some() != (name == "slant-density") {
-        return Err(Error::new(
-            "geometry.density and normals = \"slant-density\" go together",
-            "set both or neither",
-        ));
-    }
-    let pairs = match (name, extension.as_str()) {
-        ("sphere", _) => return Ok(Geometry::Sphere),
-        ("slant-density", _) => {
-            let density = geometry.density.as_deref().unwrap_or_default();
-            density::read(density, folder, degree)?
-        }
-        (_, "csv") => read_weighted_normals(file)?,
-        _ if file.is_mesh() => mesh::read(file)?,
-        (_, "png") => {
-            let mask = geometry.mask.as_ref().map(|mask| folder.join(mask));
-            normal_map::read(file, mask.as_deref())?
-        }
-        _ => {
-            return Err(Error::new(
-                format!("geometry.normals = \"{name}\" is of an unknown kind"),
-                "give `sphere`, `slant-density`, or a .csv, .obj, .stl, .ply or .png",
-            ));
-        }
-    };
-    WeightedNormals::new(pairs).map(Geometry::Listed).map_err(|error| error.in_file(&path))
-}
-
 /// The text of a scene file.
 ///
 /// # Errors
@@ -281,6 +218,45 @@ pub fn text(file: &InputFile) -> Result<String> {
 pub fn has_object(text: &str) -> bool {
     let scene = text.parse::<toml::Table>().unwrap_or_default();
     scene.get("geometry").is_some_and(|geometry| geometry.get("object").is_some())
+}
+
+/// Checks that the scene does not name an object, or a rotation of the light: a table is that of a
+/// sphere under light that turns freely.
+fn check_sphere(text: &str, path: &Path) -> Result<()> {
+    // What is not TOML is an error of `from_toml`.
+    let Ok(scene) = DeTable::parse(text) else { return Ok(()) };
+    let section = |name: &str| {
+        let section = scene.get_ref().iter().find(|(key, _)| key.get_ref() == name);
+        let (key, value) = section?;
+        Some((key, value.get_ref().as_table()?))
+    };
+    if let Some((geometry, fields)) = section("geometry") {
+        if let Some((field, _)) = fields.iter().find(|(field, _)| field.get_ref() == "object") {
+            let what = "geometry.object: the scene is of an object with shadows, not of a table";
+            let fault = Error::new(what, "pack it with `eigenshade basis`");
+            return Err(fault.at_line(path, line(text, field)));
+        }
+        let first = fields.keys().next();
+        let what = match first {
+            Some(field) => format!("geometry.{}: a table is that of a sphere", field.get_ref()),
+            None => "[geometry]: a table is that of a sphere".to_owned(),
+        };
+        let remedy = "leave [geometry] out for a sphere, or name a mesh with geometry.object";
+        return Err(Error::new(what, remedy).at_line(path, line(text, first.unwrap_or(geometry))));
+    }
+    let rotation = section("light")
+        .and_then(|(_, fields)| fields.keys().find(|field| field.get_ref() == "rotation"));
+    if let Some(rotation) = rotation {
+        let what = "light.rotation: the light of a table turns freely";
+        let remedy = "leave it out; only a scene with geometry.object takes it";
+        return Err(Error::new(what, remedy).at_line(path, line(text, rotation)));
+    }
+    Ok(())
+}
+
+/// The line of a key of a TOML text.
+fn line<T>(text: &str, key: &Spanned<T>) -> u64 {
+    1 + text[..key.span().start].matches('\n').count() as u64
 }
 
 /// Parses the text of a scene file at a path.

@@ -1,6 +1,7 @@
 //! Mesh files of every spelling: comments, line ends, polygons of any shape, and files cut short.
 
 use eigenshade_generator::object::mesh;
+use eigenshade_generator::object::surface::View;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use std::cell::RefCell;
@@ -8,12 +9,18 @@ use std::cell::RefCell;
 /// The error of an area, for polygons in a square of side 1 whose corners are rounded to f32.
 const ROUNDED: f64 = 1e-6;
 
-/// Normals and visible areas of the facets in a file of this text.
+/// Normals and projected areas of the facets that face the camera in a file of this text.
 fn read(name: &str, text: impl AsRef<[u8]>) -> Result<Vec<([f64; 3], f64)>> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
     std::fs::write(&path, text).expect("a file");
-    mesh::read(path)
+    faces(&path.into())
+}
+
+fn faces(file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
+    let facets = mesh::surface(file, &View { is_flat: true, ..View::default() })?.facets;
+    let facing = facets.iter().filter(|facet| facet.projected_area > 0.0);
+    Ok(facing.map(|facet| (facet.normal, facet.projected_area)).collect())
 }
 
 #[test]
@@ -60,7 +67,7 @@ fn warnings(name: &str, bytes: &[u8]) -> String {
     std::fs::write(&path, bytes).expect("a file");
     let file = InputFile::from(path)
         .with_warnings(|_, what| WARNINGS.with_borrow_mut(|all| all.push(what.to_owned())));
-    mesh::read(file).expect("a mesh");
+    faces(&file).expect("a mesh");
     WARNINGS.take().join("\n")
 }
 

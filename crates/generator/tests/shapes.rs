@@ -1,6 +1,6 @@
 //! Meshes of triangles with known shapes, and files of them.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -60,13 +60,6 @@ pub fn cup(around: usize) -> Vec<Triangle> {
         let [r, z] = profile[(5.0 * v).round() as usize];
         // One point at the axis, whatever the angle.
         if r > 0.0 { [r * x, r * y, z] } else { [0.0, 0.0, z] }
-    })
-}
-
-pub fn ellipsoid(n: [usize; 2]) -> Vec<Triangle> {
-    surface(n, [false, true], |u, v| {
-        let ((s, c), (y, x)) = ((PI * u).sin_cos(), (TAU * v).sin_cos());
-        if u == 0.0 || u == 1.0 { [0.0, 0.0, 1.3 * c] } else { [s * x, 0.7 * s * y, 1.3 * c] }
     })
 }
 

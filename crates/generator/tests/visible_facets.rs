@@ -1,24 +1,16 @@
-//! Meshes: which part of each facet the camera sees, against known areas and against rays
-//! through every facet.
+//! Meshes: what the camera sees of their facets, against known areas and against rays through every
+//! facet.
 
-use crate::shapes::{Triangle, cone, cup, ellipsoid, file, rectangle, torus, turned};
-use eigenshade_generator::object::facet::Facet;
+use crate::shapes::{Triangle, cone, cup, file, rectangle, torus, turned};
+use eigenshade_generator::object::facet::CONTACT;
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::picture::Picture;
+use eigenshade_generator::object::points::{Point, points};
 use eigenshade_generator::object::surface::View;
-use eigenshade_generator::object::visibility::seen_shares;
 use eigenshade_model::error::Error;
+use eigenshade_model::inputs::input_file::InputFile;
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};
-
-/// Area of facets that nothing hides, in a picture of a few units: the same products, in another
-/// order.
-const WHOLE_FACETS: f64 = 2e-15;
-
-/// Area seen of facets partly hidden, of the longer side of the box times the length of their
-/// outlines and cuts: the diagonal of a sample of 1/1024, which is the bound; errors of both signs
-/// leave a fiftieth of it.
-const VISIBLE_AREA: f64 = 1.4 / 1024.0;
 
 /// A torus of 200 x 100 facets against the smooth one, of its picture: chords of a circle of 100,
 /// (2π/100)²/6, and of 200; samples where it hides itself.
@@ -28,34 +20,43 @@ const FACETED_TORUS: f64 = 1.5e-3;
 /// some tens in 200, their errors of both signs.
 const RAYS: f64 = 3e-3;
 
-/// The same of facets as small as the samples, in addition: outlines and cuts some ten pictures
-/// long, times a sample, their errors of both signs.
-const SMALL_FACETS: f64 = 0.4;
-
-/// Slivers that are all cut alike, of their area: sixteen points stand for each, a tenth
-/// of its area apart at most.
-const SLIVERS_ALIKE: f64 = 0.1;
-
-/// Slivers cut along a diagonal, of their area: the errors of each one's points sum to nothing
-/// over its length, and the cut is 1.4 long, with a sample of 2/1024 in width.
-const SLIVERS: f64 = 4e-4;
-
-/// Samples across, as the reader takes them.
+/// Samples across.
 const SAMPLES: usize = 1024;
 
 /// What a stack of ten thousand facets may take: some ten times what it takes.
 const STACK: Duration = Duration::from_secs(20);
 
-/// Visible area of each triangle's projection.
-fn seen(triangles: &[Triangle]) -> Vec<f64> {
-    seen_by(triangles, SAMPLES)
+/// The points of these triangles that the camera sees, and their unit.
+fn shown(triangles: &[Triangle], samples: usize) -> (Vec<Point>, f64) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = InputFile::from(file(folder.path(), triangles));
+    let flat = View { is_flat: true, ..View::default() };
+    let surface = mesh::surface(&file, &flat).expect("a mesh");
+    let unit =
+        triangles.as_flattened().as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    (points(&surface, samples, 1), unit)
 }
 
-fn seen_by(triangles: &[Triangle], samples: usize) -> Vec<f64> {
-    let facets: Vec<Facet> = triangles.iter().filter_map(|corners| Facet::new(*corners)).collect();
-    assert_eq!(facets.len(), triangles.len(), "a triangle without area");
-    let shares = seen_shares(&facets, samples);
-    shares.iter().zip(&facets).map(|(share, facet)| share * facet.projected_area).collect()
+/// 1, n and the products of n's components, summed over the picture.
+fn seen(triangles: &[Triangle], samples: usize) -> [f64; 10] {
+    let corners = triangles.as_flattened();
+    let side = |axis: usize| {
+        let along = || corners.iter().map(|corner| corner[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    // A margin of half a sample.
+    let sample = side(0).max(side(1)) / (samples - 1) as f64;
+    let mut sums = [0.0; 10];
+    for point in shown(triangles, samples).0 {
+        let products = products(point.facet);
+        sums.iter_mut().zip(products).for_each(|(sum, value)| *sum += sample * sample * value);
+    }
+    sums
+}
+
+/// 1, n and the products of n's components.
+fn products([x, y, z]: [f64; 3]) -> [f64; 10] {
+    [1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z]
 }
 
 /// The projection of each triangle that faces the camera, 0 for others.
@@ -67,15 +68,14 @@ fn whole(triangles: &[Triangle]) -> Vec<f64> {
 }
 
 /// 1, n and the products of n's components, summed with these areas.
-fn moments(triangles: &[Triangle], areas: &[f64]) -> Vec<f64> {
-    let mut sums = vec![0.0; 10];
+fn moments(triangles: &[Triangle], areas: &[f64]) -> [f64; 10] {
+    let mut sums = [0.0; 10];
     for ([a, b, c], area) in triangles.iter().zip(areas) {
         let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
         let cross = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
         let n = [cross(1, 2), cross(2, 0), cross(0, 1)];
         let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let [x, y, z] = n.map(|x| x / length);
-        let values = [1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z];
+        let values = products(n.map(|x| x / length));
         sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += area * value);
     }
     sums
@@ -123,66 +123,9 @@ fn by_rays(triangles: &[Triangle], count: usize) -> Vec<f64> {
 }
 
 /// Largest difference of the moments, of the visible area.
-fn apart(triangles: &[Triangle], ours: &[f64], theirs: &[f64]) -> f64 {
-    let (ours, theirs) = (moments(triangles, ours), moments(triangles, theirs));
-    let most = ours.iter().zip(&theirs).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+fn apart(ours: &[f64; 10], theirs: &[f64; 10]) -> f64 {
+    let most = ours.iter().zip(theirs).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
     most / theirs[0]
-}
-
-#[test]
-fn a_square_before_another() {
-    for slope in [0.0, 0.3, -2.0] {
-        let mut triangles = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.0).to_vec();
-        triangles.extend(rectangle([0.3, 1.4], [0.2, 1.25], 5.0, slope));
-        let seen = seen(&triangles);
-        let (behind, before) = (seen[0] + seen[1], seen[2] + seen[3]);
-        let expected = 1.0 - 0.7 * 0.8;
-        println!("{slope}: {:e}", (behind - expected) / 1.4);
-        assert!((before - 1.1 * 1.05).abs() < WHOLE_FACETS, "{before}");
-        // 1.5 of cuts, twice an outline of 3.4, in a box of 1.4.
-        let allowed = VISIBLE_AREA * 8.3;
-        assert!((behind - expected).abs() < allowed, "{behind} for {expected}");
-    }
-}
-
-/// What faces away hides, and what is coincident or touches does not.
-#[test]
-fn back_faces_hide_and_sheets_do_not() {
-    let back = |triangles: [Triangle; 2]| triangles.map(|[a, b, c]| [a, c, b]);
-    let below = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.2);
-    let lid = back(rectangle([-0.5, 1.5], [-0.5, 1.5], 1.0, -0.1));
-    assert_eq!(seen(&[below, lid].concat()), [0.0; 4]);
-    let sheet = seen(&[below, back(below)].concat());
-    assert_eq!(sheet, whole(&[below, back(below)].concat()));
-    // The corners of the other side in another order and rounded otherwise.
-    let near = back(below).map(|[a, b, c]| [b, c, a].map(|p| p.map(|x| f64::from(x as f32))));
-    let sheet = seen(&[below, near].concat());
-    assert_eq!(sheet, whole(&[below, near].concat()));
-}
-
-/// Nothing of a convex object is hidden: every facet keeps its exact area.
-#[test]
-fn convex_objects_are_seen_whole() {
-    let single = |triangles: Vec<Triangle>| -> Vec<Triangle> {
-        let round = |p: [f64; 3]| p.map(|x| f64::from(x as f32));
-        triangles.into_iter().map(|corners| corners.map(round)).collect()
-    };
-    for angles in [[0.0, 0.0], [0.5 * PI, 0.0], [0.4, 1.1], [2.0, 1e-9]] {
-        for (name, triangles) in [
-            ("ellipsoid", turned(ellipsoid([24, 48]), angles)),
-            ("fine ellipsoid", turned(ellipsoid([60, 120]), angles)),
-            ("in f32", single(turned(ellipsoid([24, 48]), angles))),
-            ("cone", turned(cone(64), angles)),
-            ("needle", turned(cone(500), angles)),
-        ] {
-            let ours = seen(&triangles);
-            for (number, (ours, whole)) in ours.iter().zip(whole(&triangles)).enumerate() {
-                let apart = (ours - whole).abs();
-                let what = format!("{name}, {angles:?}: {number}: {ours} of {whole}");
-                assert!(apart < WHOLE_FACETS, "{what}");
-            }
-        }
-    }
 }
 
 /// A torus seen from the side: its picture is a stadium.
@@ -190,7 +133,7 @@ fn convex_objects_are_seen_whole() {
 fn a_torus_from_the_side() {
     let r = 0.4;
     let triangles = turned(torus([200, 100], r), [0.5 * PI, 0.0]);
-    let ours: f64 = seen(&triangles).iter().sum();
+    let [ours, ..] = seen(&triangles, SAMPLES);
     let whole: f64 = whole(&triangles).iter().sum();
     let stadium = 4.0 * r + PI * r * r;
     println!("{:e}, all facets {:e}", ours / stadium - 1.0, whole / stadium - 1.0);
@@ -207,77 +150,28 @@ fn what_rays_meet() {
         ("cup", turned(cup(48), [-0.7, 0.4])),
         ("cup from below", turned(cup(48), [-2.3, 0.4])),
     ] {
-        let rays = by_rays(&triangles, 200);
-        let ours = apart(&triangles, &seen(&triangles), &rays);
-        let all = apart(&triangles, &whole(&triangles), &rays);
+        let rays = moments(&triangles, &by_rays(&triangles, 200));
+        let ours = apart(&seen(&triangles, SAMPLES), &rays);
+        let all = apart(&moments(&triangles, &whole(&triangles)), &rays);
         println!("{name}: {ours:.1e}, all facets {all:.1e}");
         assert!(ours < RAYS, "{name}: {ours:e}");
-        for samples in [16, 32, 64] {
-            let ours = apart(&triangles, &seen_by(&triangles, samples), &rays);
-            println!("{name}, {samples} samples: {:.2}", ours * samples as f64);
-            assert!(ours < RAYS + SMALL_FACETS / samples as f64, "{name}, {samples}: {ours:e}");
-        }
         let hides = name != "cup from below";
         assert!(!hides || all > 10.0 * RAYS, "{name}: {all:e} without");
     }
 }
 
+/// What faces away hides, and what is coincident or touches does not.
 #[test]
-fn the_order_of_facets_means_nothing() {
-    let triangles = turned(torus([60, 30], 0.4), [1.2, 0.3]);
-    let expected = seen(&triangles);
-    let count = triangles.len();
-    // 7 and 3600 have no factor in common.
-    let order: Vec<usize> = (0..count).map(|k| (7 * k + 11) % count).collect();
-    let shuffled: Vec<Triangle> = order.iter().map(|&k| triangles[k]).collect();
-    let found = seen(&shuffled);
-    assert!(order.iter().zip(&found).all(|(&k, found)| *found == expected[k]));
-    // Corners from another one on: to rounding.
-    let rolled: Vec<Triangle> = triangles.iter().map(|[a, b, c]| [*c, *a, *b]).collect();
-    let largest = expected.iter().copied().fold(0.0, f64::max);
-    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > WHOLE_FACETS * largest;
-    assert_eq!(seen(&rolled).iter().zip(&expected).filter(|pair| apart(*pair)).count(), 0);
-}
-
-/// Facets thinner than a sample, along the rows, across and aslant, half of them behind
-/// something.
-#[test]
-fn slivers() {
-    let slivers = 2500;
-    let square = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.0);
-    let strips = |at: &dyn Fn(f64, f64) -> [f64; 3]| {
-        let of = |k: usize| {
-            let [low, high] = [k, k + 1].map(|k| k as f64 / slivers as f64);
-            let (a, b, c, d) = (at(0.0, low), at(1.0, low), at(1.0, high), at(0.0, high));
-            [[a, b, c], [a, c, d]]
-        };
-        (0..slivers).flat_map(of).collect::<Vec<Triangle>>()
-    };
-    let along = strips(&|u, v| [u, v, 0.0]);
-    let across = strips(&|u, v| [1.0 - v, u, 0.0]);
-    let aslant = strips(&|u, v| [u, 0.5 * (u + v), 0.1 * u]);
-    for (name, strips) in [("along", along), ("across", across), ("aslant", aslant)] {
-        let alone = seen(&strips);
-        assert_eq!(alone, whole(&strips), "{name}: nothing hides them");
-        let total: f64 = alone.iter().sum();
-        // Cut alike by upright edges; or along the diagonal, each elsewhere.
-        for (left, right, slant, allowed) in
-            [(0.1, 0.6, 0.0, SLIVERS_ALIKE), (-1.0, 0.0, 1.0, SLIVERS)]
-        {
-            let over = |x: f64, y: f64| [x + slant * y, y, 1.0];
-            let (a, b) = (over(left, -0.01), over(right, -0.01));
-            let (c, d) = (over(right, 1.01), over(left, 1.01));
-            let both = [&strips[..], &[[a, b, c], [a, c, d]]].concat();
-            let left: f64 = seen(&both)[..strips.len()].iter().sum();
-            let apart = left / total - 0.5;
-            println!("{name}, slant {slant}: {apart:e}");
-            assert!(apart.abs() < allowed, "{name}, slant {slant}: {apart:e}");
-        }
-        // All behind a square, but for what stands out of it.
-        let both = [&strips[..], &square.map(|t| t.map(|[x, y, _]| [x, y, 1.0]))].concat();
-        let hidden: f64 = seen(&both)[..strips.len()].iter().sum();
-        assert_eq!(hidden, 0.0, "{name}");
-    }
+fn back_faces_hide_and_sheets_do_not() {
+    let back = |triangles: [Triangle; 2]| triangles.map(|[a, b, c]| [a, c, b]);
+    let below = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.2);
+    let beside = rectangle([2.0, 4.0], [0.0, 1.0], 0.0, 0.2);
+    let [alone, ..] = seen(&[below, beside].concat(), SAMPLES);
+    let lid = back(rectangle([0.0, 1.0], [0.0, 1.0], 1.0, -0.1));
+    let [hidden, ..] = seen(&[below, beside, lid].concat(), SAMPLES);
+    assert!((hidden / alone - 2.0 / 3.0).abs() < FACETED_TORUS, "{hidden} of {alone}");
+    let [sheet, ..] = seen(&[below, beside, back(below)].concat(), SAMPLES);
+    assert_eq!(sheet, alone);
 }
 
 /// Thousands of sheets that fill the picture, one behind the other and in any order, level or
@@ -291,34 +185,16 @@ fn stacks_of_large_facets() {
         let stack: Vec<Triangle> =
             (0..sheets).flat_map(|k| rectangle([0.0, 1.0], [0.0, 1.0], level(k), slope)).collect();
         let start = Instant::now();
-        let seen = seen(&stack);
+        let (points, scale) = shown(&stack, SAMPLES);
         let taken = start.elapsed();
         println!("slope {slope}: {taken:.1?}");
-        let top = (0..sheets).position(|k| k * 1999 % sheets == sheets - 1).expect("a sheet");
-        for (number, (seen, whole)) in seen.iter().zip(whole(&stack)).enumerate() {
-            assert_eq!(*seen, if number / 2 == top { whole } else { 0.0 }, "facet {number}");
+        let top = f64::from(sheets as u32 - 1) / 100.0;
+        for point in &points {
+            let [x, _, z] = point.position.map(|axis| axis * scale);
+            assert!((z - slope * x - top).abs() < CONTACT * top, "{point:?}");
         }
         // Sample by sample, a minute.
         assert!(taken < STACK, "{taken:?}");
-    }
-}
-
-/// The reader leaves out what is hidden: the same facets from a file.
-#[test]
-fn a_mesh_file_has_visible_normals() {
-    let triangles = turned(torus([40, 20], 0.4), [1.2, 0.3]);
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = file(folder.path(), &triangles);
-    let pairs = mesh::read(&path).expect("a mesh");
-    let ours = seen(&triangles);
-    assert_eq!(pairs.len(), ours.iter().filter(|area| **area > 0.0).count());
-    let total: f64 = ours.iter().sum();
-    let read: f64 = pairs.iter().map(|(_, weight)| weight).sum();
-    let sum = |axis: usize| pairs.iter().map(|(n, w)| w / read * n[axis]).sum::<f64>();
-    let expected = moments(&triangles, &ours);
-    for axis in 0..3 {
-        let apart = (sum(axis) - expected[axis + 1] / total).abs();
-        assert!(apart < WHOLE_FACETS, "{axis}: {apart:e}");
     }
 }
 
@@ -329,7 +205,9 @@ fn errors(triangles: &[Triangle]) -> Vec<Option<String>> {
     let text = |error: Error| error.to_string().split_once(": ").expect("a path").1.to_owned();
     let pictures =
         [2, 7, 40, 250].map(|size| Picture::of_mesh(&path, size, &View::default()).err().map(text));
-    [mesh::read(&path).err().map(text)].into_iter().chain(pictures).collect()
+    let surface = mesh::surface(&InputFile::from(path.as_path()), &View::default());
+    let surface = surface.err().map(|error| error.in_file(&path)).map(text);
+    std::iter::once(surface).chain(pictures).collect()
 }
 
 /// Closed meshes with their corners the wrong way round are refused at every size, and open ones

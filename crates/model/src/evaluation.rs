@@ -1,7 +1,6 @@
 //! A table evaluated in f64, from its fields alone: the reference for the runtime.
 //!
-//! The table's functions are u(α) Φ_m(β): on a sphere, the eigenimages U_i. For other normals, an
-//! eigenimage is a sum of these functions, its row of [`General::synthesis`].
+//! The eigenimages U_i are u(α) Φ_m(β).
 //!
 //! ```
 //! use eigenshade_model::evaluation::Evaluator;
@@ -18,11 +17,9 @@
 
 use crate::error::{Error, Result};
 use crate::orthogonal_series::OrthogonalSeries;
-#[cfg(doc)]
-use eigenshade_table::General;
 use eigenshade_table::effect::{Effect, Effects};
 use eigenshade_table::reduce::fingerprint;
-use eigenshade_table::{Component, Profile, Table, light, material, mode};
+use eigenshade_table::{Component, MeanImage, Profile, Table, light, material, mode};
 use std::borrow::Borrow;
 use std::f64::consts::SQRT_2;
 
@@ -158,21 +155,10 @@ impl<T: Borrow<Table>> Evaluator<T> {
             // Modes of -m are (-1)^m times those of m.
             if m < 0 && m % 2 != 0 { -sum } else { sum }
         };
-        let coordinates: Vec<f64> = self.table().components.iter().map(coordinate).collect();
-        let mut d = match &self.table().general {
-            None => coordinates,
-            Some(general) => {
-                let rows = general.projection.chunks(coordinates.len().max(1));
-                rows.map(|row| product(row, &coordinates)).collect()
-            }
-        };
-        d.truncate(self.components);
-        if self.has_mean() {
-            let mean = match &self.table().general {
-                Some(general) => Some(&general.mean_coefficients),
-                None => self.table().mean.as_ref().map(|mean| &mean.coefficients),
-            };
-            d.iter_mut().zip(mean.into_iter().flatten()).for_each(|(d, mean)| *d -= mean);
+        let components = self.table().components.iter().take(self.components);
+        let mut d: Vec<f64> = components.map(coordinate).collect();
+        if let Some(mean) = self.mean() {
+            d.iter_mut().zip(&mean.coefficients).for_each(|(d, mean)| *d -= mean);
         }
         d
     }
@@ -196,26 +182,14 @@ impl<T: Borrow<Table>> Evaluator<T> {
             components: self.components,
         };
         for &normal in normals {
-            let functions = self.functions(normal);
-            let mean = match &self.table().general {
-                Some(general) => {
-                    let rows = general.synthesis.chunks(functions.len().max(1));
-                    let rows = rows.take(self.components);
-                    images.values.extend(rows.map(|row| product(row, &functions)));
-                    product(&general.mean, &functions)
-                }
-                None => {
-                    images.values.extend(&functions[..self.components]);
-                    self.table().mean.as_ref().map_or(0.0, |mean| mean.value(normal[2]))
-                }
-            };
-            images.mean.push(if self.has_mean() { mean } else { 0.0 });
+            images.values.extend(self.values(normal));
+            images.mean.push(self.mean().map_or(0.0, |mean| mean.value(normal[2])));
         }
         images
     }
 
-    /// u(α) Φ_m(β) of each function of the table at a normal.
-    fn functions(&self, [x, y, z]: [f64; 3]) -> Vec<f64> {
+    /// u(α) Φ_m(β) of each component at a normal.
+    fn values(&self, [x, y, z]: [f64; 3]) -> Vec<f64> {
         // sin^m α (cos mβ, sin mβ), the powers of x + iy.
         let power = |&[re, im]: &[f64; 2]| Some([re * x - im * y, re * y + im * x]);
         let waves = std::iter::successors(Some([1.0, 0.0]), power);
@@ -224,7 +198,7 @@ impl<T: Borrow<Table>> Evaluator<T> {
             [] => self.table().profiles.iter().map(|profile| profile.height(z)).collect(),
             series => series.iter().map(|one| one.height(z)).collect(),
         };
-        let function = |component: &Component| {
+        let value = |component: &Component| {
             let [cosine, sine] = waves[component.order.unsigned_abs() as usize];
             let wave = match component.order {
                 0 => 1.0,
@@ -233,11 +207,12 @@ impl<T: Borrow<Table>> Evaluator<T> {
             };
             heights[component.profile] * wave
         };
-        self.table().components.iter().map(function).collect()
+        self.table().components.iter().take(self.components).map(value).collect()
     }
 
-    fn has_mean(&self) -> bool {
-        self.effects.has(Effect::Ambient)
+    /// The mean image, if the table has one and the effects include it.
+    fn mean(&self) -> Option<&MeanImage> {
+        self.table().mean.as_ref().filter(|_| self.effects.has(Effect::Ambient))
     }
 }
 

@@ -43,7 +43,7 @@ pub struct Pictures {
 /// by all components of a table.
 pub fn pictures(table: &Table, is_odd: bool) -> Result<Vec<Pictures>> {
     let owned = OwnedBasis::new(table)?;
-    let mut shader = Shader::new(owned.any().map_err(fault)?, table.count());
+    let mut shader = Shader::new(owned.basis().map_err(fault)?, table.count());
     let order = table.gram.order;
     let normals = OwnedNormals::new(&spiral());
     let parts = (0..ROWS).map(|row| parts(order, roughness(row))).collect::<Result<Vec<_>>>()?;

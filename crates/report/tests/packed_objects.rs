@@ -150,7 +150,7 @@ fn errors(
 fn packed_objects_look_as_the_program_draws_them() {
     let table = eigenshade_table::decode(shipped::TABLE).expect("a table");
     let owned = OwnedBasis::new(&table).expect("a basis");
-    let mut shader = Shader::new(owned.any().expect("a basis"), table.count());
+    let mut shader = Shader::new(owned.basis().expect("a basis"), table.count());
     let folder = tempfile::tempdir().expect("a folder");
     let mut all = MEDIANS.map(|_| Vec::new());
     for (name, glb) in objects() {

@@ -84,7 +84,6 @@ impl IntegerShader {
                 FormatError::Large { .. } => {
                     ", fewer --components, or another table, as --table sphere".to_owned()
                 }
-                FormatError::General => String::new(),
                 _ => format!(", or {remedy}"),
             };
             Error::new(what, format!("use --format f32{others}"))

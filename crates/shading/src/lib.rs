@@ -12,7 +12,7 @@
 //! let table = eigenshade_table::decode(shipped::TABLE)?;
 //! let (lights, materials) = fitted(&table, &shipped::lights()?, &shipped::materials()?);
 //! let owned = OwnedBasis::new(&table)?;
-//! let mut shader = Shader::new(owned.any()?, 46);
+//! let mut shader = Shader::new(owned.basis()?, 46);
 //! let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0], [0.6, 0.0, 0.8]]);
 //! let (light, material) = (&lights.entries[0], &materials.entries[0]);
 //! let rgb = shader.color(light, material, &normals)?;

@@ -1,12 +1,11 @@
 //! Other ways to an image than all collapsed polynomials: the fewest terms for a tolerance,
 //! a baked map, and the sum of the components.
 
-use crate::owned_basis::AnyBasis;
 use crate::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade::object::MapPoint;
 use eigenshade::truncation::{Tolerance, Truncation};
 use eigenshade::{Normal, Scene};
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 use eigenshade_model::overflow;
 
 impl Shader<'_> {
@@ -16,7 +15,7 @@ impl Shader<'_> {
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project), and if the basis is for an object other than a sphere.
+    /// As [`project`](Self::project).
     pub fn within(
         &mut self,
         channels: &[Lit<'_>],
@@ -54,11 +53,7 @@ impl Shader<'_> {
         for &(light, material) in channels {
             images.push(self.project(light, material)?.to_vec());
         }
-        let AnyBasis::Sphere(basis) = &self.basis else {
-            let what =
-                "a tolerance needs the table of a sphere, and this one is for another object";
-            return Err(Error::new(what, "leave --tolerance out"));
-        };
+        let basis = self.basis;
         let (count, len) = (images.len(), basis.scene_len());
         let mut lengths = vec![0; basis.azimuths()];
         let mut buffer = vec![0.0; count * len];
@@ -105,15 +100,8 @@ impl Shader<'_> {
         normals: &[Normal],
     ) -> Result<Vec<f32>> {
         let basis = self.basis;
-        let coefficients = self.project(light, material)?.to_vec();
-        let mut reconstruct = |d: &[f32], normal: Normal| {
-            match &basis {
-                AnyBasis::Sphere(basis) => basis.reconstruct(d, normal),
-                AnyBasis::General(basis) => basis.reconstruct(d, normal, &mut self.workspace),
-            }
-            .map_err(fault)
-        };
-        let one = |&normal: &Normal| reconstruct(&coefficients, normal);
+        let coefficients = self.project(light, material)?;
+        let one = |&normal: &Normal| basis.reconstruct(coefficients, normal).map_err(fault);
         let irradiance: Vec<f32> = normals.iter().map(one).collect::<Result<_>>()?;
         overflow::check(&irradiance, light, material)?;
         Ok(irradiance)

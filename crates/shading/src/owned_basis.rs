@@ -1,16 +1,15 @@
 //! A table read at run time, as a runtime basis.
 
 use crate::shader::beyond;
-use eigenshade::{Basis, GeneralBasis};
+use eigenshade::Basis;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::record::floats::{OwnedGeneralParts, OwnedParts};
+use eigenshade_table::record::floats::OwnedParts;
 use eigenshade_table::{FormatError, Table, parts};
 
 /// The owned records of a basis.
 #[derive(Clone, Debug)]
 pub struct OwnedBasis {
     parts: OwnedParts<f32>,
-    general: OwnedGeneralParts<f32>,
     transfers: Vec<OwnedTransfer>,
 }
 
@@ -47,11 +46,7 @@ impl OwnedBasis {
             let transfer = numbers.iter().map(|&number| number as f32).collect();
             OwnedTransfer { fingerprint: one.fingerprint, transfer }
         });
-        Ok(Self {
-            transfers: transfers.collect(),
-            parts: parts.convert(|&number| number as f32),
-            general: parts::general(table).convert(|&number| number as f32),
-        })
+        Ok(Self { transfers: transfers.collect(), parts: parts.convert(|&number| number as f32) })
     }
 
     /// The materials whose transfers the table stores; empty for a table that projects.
@@ -60,40 +55,12 @@ impl OwnedBasis {
         &self.transfers
     }
 
-    /// The basis of the table, of either kind.
-    ///
-    /// # Errors
-    ///
-    /// See [`basis`](Self::basis).
-    pub fn any(&self) -> std::result::Result<AnyBasis<'_>, eigenshade::Error> {
-        let basis = self.basis()?;
-        match self.general.components {
-            0 => Ok(AnyBasis::Sphere(basis)),
-            _ => GeneralBasis::new(basis, self.general.borrow()).map(AnyBasis::General),
-        }
-    }
-
-    /// The basis itself, or the span of a general basis.
+    /// The basis.
     ///
     /// # Errors
     ///
     /// As [`Basis::new`], for a table whose parts contradict each other.
     pub fn basis(&self) -> std::result::Result<Basis<'_>, eigenshade::Error> {
         Basis::new(self.parts.borrow())
-    }
-}
-
-/// A basis of either kind.
-#[derive(Clone, Copy, Debug)]
-pub enum AnyBasis<'a> {
-    /// Each eigenimage has a single azimuth.
-    Sphere(Basis<'a>),
-    /// Eigenimages are sums over several azimuths.
-    General(GeneralBasis<'a>),
-}
-
-impl<'a> From<Basis<'a>> for AnyBasis<'a> {
-    fn from(basis: Basis<'a>) -> Self {
-        Self::Sphere(basis)
     }
 }

@@ -1,7 +1,7 @@
 //! Computes the irradiance of many normals from a light and a material, in f32.
 
-use crate::owned_basis::{AnyBasis, OwnedTransfer};
-use eigenshade::{Light, Material, Normal, Normals, Scene};
+use crate::owned_basis::OwnedTransfer;
+use eigenshade::{Basis, Light, Material, Normal, Normals, Scene};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::overflow;
@@ -55,7 +55,7 @@ pub type Lit<'a> = (&'a [f64], &'a [f64]);
 /// A basis with its work buffers.
 #[derive(Clone, Debug)]
 pub struct Shader<'a> {
-    pub(crate) basis: AnyBasis<'a>,
+    pub(crate) basis: Basis<'a>,
     pub(crate) components: usize,
     pub(crate) workspace: Vec<f32>,
     coefficients: Vec<f32>,
@@ -100,22 +100,14 @@ impl OwnedNormals {
 impl<'a> Shader<'a> {
     /// A shader that uses the first `components` of the basis.
     #[must_use]
-    pub fn new(basis: impl Into<AnyBasis<'a>>, components: usize) -> Self {
-        let basis = basis.into();
-        let (all, workspace, scene) = match &basis {
-            AnyBasis::Sphere(basis) => {
-                (basis.components(), basis.workspace_len(), basis.scene_len())
-            }
-            AnyBasis::General(basis) => {
-                (basis.components(), basis.workspace_len(), basis.span().scene_len())
-            }
-        };
+    pub fn new(basis: Basis<'a>, components: usize) -> Self {
+        let all = basis.components();
         Self {
-            basis,
             components: components.min(all),
-            workspace: vec![0.0; workspace],
+            workspace: vec![0.0; basis.workspace_len()],
             coefficients: vec![0.0; all],
-            scene: vec![0.0; scene],
+            scene: vec![0.0; basis.scene_len()],
+            basis,
             transfers: &[],
             effects: Effects::ALL,
         }
@@ -127,11 +119,7 @@ impl<'a> Shader<'a> {
     ///
     /// If the basis has transfers and some effects are left out: transfers contain all of them.
     pub fn with_effects(self, effects: Effects) -> Result<Self> {
-        let projects = match &self.basis {
-            AnyBasis::Sphere(basis) => basis.projects(),
-            AnyBasis::General(basis) => basis.span().projects(),
-        };
-        if !effects.is_all() && !projects {
+        if !effects.is_all() && !self.basis.projects() {
             let what = "the table has transfers, which contain all its effects";
             let remedy = "leave --effects out, or make a table with store = \"projection\"";
             return Err(Error::new(what, remedy));
@@ -160,9 +148,7 @@ impl<'a> Shader<'a> {
     }
 
     fn projected(&mut self, light: &[f64], material: &[f64]) -> Result<()> {
-        if let AnyBasis::Sphere(basis) = &self.basis
-            && !basis.projects()
-        {
+        if !self.basis.projects() {
             let fingerprint = fingerprint(material);
             let of = self.transfers.iter().find(|one| one.fingerprint == fingerprint);
             let of = of.ok_or_else(|| {
@@ -175,7 +161,7 @@ impl<'a> Shader<'a> {
             let light = rounded(light);
             let light = Light::from_finite(&light).map_err(fault)?;
             let coefficients = &mut self.coefficients;
-            return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
+            return self.basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
         let degree = Light::from_finite(&rounded(light)).map_err(fault)?.degree();
         let order = Material::from_finite(&rounded(material)).map_err(fault)?.order();
@@ -187,15 +173,7 @@ impl<'a> Shader<'a> {
             let light = Light::from_finite(&light).map_err(fault)?;
             let material = Material::from_finite(&material).map_err(fault)?;
             let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
-            match &self.basis {
-                AnyBasis::Sphere(basis) => {
-                    basis.project_into(&light, &material, workspace, coefficients)
-                }
-                AnyBasis::General(basis) => {
-                    basis.project_into(&light, &material, workspace, coefficients)
-                }
-            }
-            .map_err(fault)?;
+            self.basis.project_into(&light, &material, workspace, coefficients).map_err(fault)?;
             sums.iter_mut().zip(coefficients).for_each(|(sum, d)| *sum += *d);
         }
         self.coefficients = sums;
@@ -209,19 +187,7 @@ impl<'a> Shader<'a> {
     /// Cannot fail in practice, because the buffers have the lengths that the basis requires.
     pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<f32>>> {
         let coefficients = &self.coefficients[..self.components];
-        let scene = &mut self.scene;
-        match &self.basis {
-            AnyBasis::Sphere(basis) => basis.collapse_into(coefficients, scene).map(drop),
-            AnyBasis::General(basis) => {
-                basis.collapse_into(coefficients, &mut self.workspace, scene).map(drop)
-            }
-        }
-        .map_err(fault)?;
-        match &self.basis {
-            AnyBasis::Sphere(basis) => basis.scene(&mut self.scene),
-            AnyBasis::General(basis) => basis.span().scene(&mut self.scene),
-        }
-        .map_err(fault)
+        self.basis.collapse_into(coefficients, &mut self.scene).map_err(fault)
     }
 
     /// One channel of the image, from the collapsed polynomials.

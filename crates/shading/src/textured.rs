@@ -252,7 +252,7 @@ mod tests {
             let materials = shipped::materials().expect("materials");
             let lights = shipped::lights().expect("lights");
             let (lights, _) = fitted(&table, &lights, &materials);
-            let mut shader = Shader::new(owned.any().expect("a basis"), 46);
+            let mut shader = Shader::new(owned.basis().expect("a basis"), 46);
             let normals = normals(500);
             let shown = OwnedNormals::new(&normals);
             for (base, metallic, roughness) in [

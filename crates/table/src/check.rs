@@ -3,7 +3,7 @@
 use crate::effect::Effects;
 use crate::record::NONE;
 use crate::scene::{Criterion, is_share};
-use crate::table::{General, Table};
+use crate::table::Table;
 use crate::{material, mode, pair};
 
 /// The largest degree and order of a valid table. The limit keeps the counts below from
@@ -71,15 +71,8 @@ impl Table {
         }
         self.check_components()?;
         let standard = self.scene.basis.criterion == Criterion::Standard;
-        let mean = match &self.general {
-            Some(general) => !general.mean.is_empty(),
-            None => self.mean.is_some(),
-        };
-        if mean != standard {
+        if self.mean.is_some() != standard {
             return Err("a mean image is present exactly with criterion = \"standard\"".into());
-        }
-        if let Some(general) = &self.general {
-            self.check_general(general)?;
         }
         if let Some(mean) = &self.mean {
             terms("mean image", &mean.chebyshev)?;
@@ -108,25 +101,6 @@ impl Table {
         let components = self.components.iter().map(|component| component.eigenvalue);
         let values: Vec<f64> = spectrum.chain(components).flatten().collect();
         numbers("eigenvalues", &values, values.len())
-    }
-
-    fn check_general(&self, general: &General) -> Result<(), String> {
-        let (count, span) = (general.eigenvalues.len(), self.components.len());
-        if count > usize::from(NONE) {
-            return Err(format!("{count} eigenimages, more than {NONE}"));
-        }
-        if self.mean.is_some() {
-            return Err("a mean image of the span in a table of a general object".into());
-        }
-        let values: Vec<f64> = general.eigenvalues.iter().flatten().copied().collect();
-        numbers("eigenvalues", &values, values.len())?;
-        let (mean, coefficients) = if general.mean.is_empty() { (0, 0) } else { (span, count) };
-        numbers("projection", &general.projection, count * span)?;
-        numbers("synthesis", &general.synthesis, count * span)?;
-        let modes = if self.has_modes() { count * span } else { 0 };
-        numbers("modes of the eigenimages", &general.modes, modes)?;
-        numbers("mean image", &general.mean, mean)?;
-        numbers("mean's coefficients", &general.mean_coefficients, coefficients)
     }
 
     /// Checks that each component has a profile of its own azimuth, and that each profile belongs

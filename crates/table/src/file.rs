@@ -16,7 +16,7 @@ use std::fmt::{self, Write};
 /// The first bytes of every table file.
 pub const LABEL: [u8; 8] = *b"EIGSHADE";
 /// The version that this crate reads and writes.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 const HEADER: usize = 24;
 
 /// Why bytes are not a valid table.
@@ -170,7 +170,6 @@ pub fn manifest(table: &Table) -> String {
         ("profiles.factors", of_profiles(|profile| &profile.factors)),
         ("mean", section(&table.mean)),
         ("spectrum", section(&table.spectrum)),
-        ("general", section(&table.general)),
         ("transfers", section(&table.transfers)),
         ("file", encode(table)),
     ];
@@ -188,8 +187,7 @@ pub fn manifest(table: &Table) -> String {
         ("materials", summary.materials.to_string()),
         ("store", table.scene.basis.store.name().to_owned()),
         ("components", table.count().to_string()),
-        ("span", table.general.as_ref().map_or(0, |_| table.components.len()).to_string()),
-        ("rank", table.general.as_ref().map_or(total, |general| general.rank).to_string()),
+        ("rank", total.to_string()),
         ("rank of each |m|", per_azimuth.join(" ")),
         ("largest singular value", format!("{:.6e}", summary.largest_singular_value)),
         ("energy kept", format!("{:.9}", summary.energy_kept)),

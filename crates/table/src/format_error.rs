@@ -21,8 +21,6 @@ pub enum FormatError {
     Mean,
     /// The table has a selection of modes.
     Selection,
-    /// The object is not a sphere, or the light does not turn freely.
-    General,
     /// The table stores only transfers.
     TransfersOnly,
     /// A polynomial has more terms than the format allows.
@@ -59,10 +57,6 @@ impl fmt::Display for FormatError {
             ),
             Self::Selection => f.write_str(
                 "it has a selection of modes, which only f64 draws; make the table with modes = 0",
-            ),
-            Self::General => f.write_str(
-                "integer formats support only tables of a sphere under light that turns freely; \
-                 use f32",
             ),
             Self::TransfersOnly => {
                 f.write_str("the table stores only transfers; make it with store = \"projection\"")

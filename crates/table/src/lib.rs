@@ -108,6 +108,4 @@ pub use gram::GramFactor;
 #[cfg(feature = "files")]
 pub use scene::Scene;
 #[cfg(feature = "files")]
-pub use table::{
-    Component, General, MaterialTransfer, MeanImage, Profile, Rounding, Summary, Table,
-};
+pub use table::{Component, MaterialTransfer, MeanImage, Profile, Rounding, Summary, Table};

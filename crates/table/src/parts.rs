@@ -4,10 +4,10 @@
 use crate::chebyshev::{Form, polynomial};
 use crate::format_error::FormatError;
 use crate::layout::{LANES, PASS, first_order, lowest_degree};
-use crate::record::floats::{OwnedGeneralParts, OwnedParts};
+use crate::record::floats::OwnedParts;
 use crate::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
 use crate::scene::Criterion;
-use crate::table::{General, Profile, Table};
+use crate::table::{Profile, Table};
 use crate::{layout, pair};
 use std::collections::BTreeSet;
 
@@ -40,7 +40,7 @@ pub fn check(table: &Table) -> Result<(), FormatError> {
     }
 }
 
-/// The arrays of a table, or of the span of a general basis.
+/// The arrays of a table.
 #[must_use]
 pub fn floats(table: &Table) -> OwnedParts<f64> {
     let gram = &table.gram;
@@ -79,18 +79,6 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
         factors,
         terms: terms.collect(),
         lengths,
-    }
-}
-
-/// The eigenimages of a table over its span; none for a sphere, whose components are eigenimages.
-#[must_use]
-pub fn general(table: &Table) -> OwnedGeneralParts<f64> {
-    let general = table.general.as_ref();
-    let of = |part: fn(&General) -> &Vec<f64>| general.map(part).cloned().unwrap_or_default();
-    OwnedGeneralParts {
-        components: general.map_or(0, |general| general.eigenvalues.len()),
-        projection: of(|general| &general.projection),
-        synthesis: of(|general| &general.synthesis),
     }
 }
 

@@ -28,13 +28,8 @@ pub const TOLERANCE: f64 = 1e-5;
 /// If the table cannot be converted to integers.
 pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, FormatError> {
     parts::check(table)?;
-    for (fault, error) in [
-        (table.general.is_some(), FormatError::General),
-        (table.profiles.len() > MAX_PROFILES, FormatError::Many),
-    ] {
-        if fault {
-            return Err(error);
-        }
+    if table.profiles.len() > MAX_PROFILES {
+        return Err(FormatError::Many);
     }
     let gram = &table.gram;
     let (degree, order) = (gram.degree, gram.order);

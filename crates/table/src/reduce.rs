@@ -9,7 +9,7 @@ use crate::{material, mode};
 /// `keep` receives the number of a component, counted from 0, and the component. If it keeps the
 /// first K components, the result is the table of the same scene with K components.
 ///
-/// Domain: a sphere's table that [projects](Table::has_projection). Stored transfers are dropped.
+/// Domain: a table that [projects](Table::has_projection). Stored transfers are dropped.
 #[must_use]
 pub fn with_components(whole: &Table, keep: impl Fn(usize, &Component) -> bool) -> Table {
     let chosen = whole.components.iter().enumerate().filter(|(k, one)| keep(*k, one));
@@ -21,7 +21,7 @@ pub fn with_components(whole: &Table, keep: impl Fn(usize, &Component) -> bool) 
         component.profile = used.partition_point(|&profile| profile < component.profile);
     }
     let profiles = used.iter().map(|&profile| whole.profiles[profile].clone()).collect();
-    Table { components, profiles, general: None, transfers: Vec::new(), ..whole.clone() }
+    Table { components, profiles, transfers: Vec::new(), ..whole.clone() }
 }
 
 impl Table {
@@ -52,9 +52,6 @@ impl Table {
         }
         if self.scene.basis.store != Store::Modes {
             self.profiles.iter_mut().for_each(|profile| profile.modes = Vec::new());
-            if let Some(general) = &mut self.general {
-                general.modes = Vec::new();
-            }
         }
     }
 

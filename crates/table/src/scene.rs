@@ -9,8 +9,6 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
-    /// The normals that the object shows.
-    pub geometry: Geometry,
     /// The light that falls on the object.
     pub light: Light,
     /// The materials of the object.
@@ -36,22 +34,6 @@ impl Scene {
     }
 }
 
-/// The normals that the object shows.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Geometry {
-    /// `sphere`; `slant-density`; or a path to normals as CSV, a mesh or a normal map.
-    pub normals: String,
-    /// For a normal map: an image of the same size that is black where the normal map is to be
-    /// ignored.
-    #[serde(default)]
-    pub mask: Option<String>,
-    /// For `slant-density`: a formula in the slant `a`, or a path to a CSV of the density. The
-    /// density is per solid angle and may have any scale.
-    #[serde(default)]
-    pub density: Option<String>,
-}
-
 /// The light that falls on the object.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -60,26 +42,12 @@ pub struct Light {
     pub degree: usize,
     /// Path to the light CSV, relative to the scene file.
     pub database: String,
-    /// The rotations of the captured light to expect.
-    pub rotation: LightRotation,
     /// How the exposures of the lights are normalized; this affects only the statistics.
     #[serde(default)]
     pub normalize: Normalize,
     /// Weights of the lights in the statistics, by name; 1 by default.
     #[serde(default)]
     pub weights: BTreeMap<String, f64>,
-}
-
-/// The rotations of the captured light to expect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum LightRotation {
-    /// All rotations are equally likely, (37)-(39).
-    Any,
-    /// The light is as captured.
-    None,
-    /// All rotations about the vertical axis y are equally likely.
-    Vertical,
 }
 
 /// How the exposures of the lights are normalized; this affects only the statistics.

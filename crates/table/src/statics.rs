@@ -44,8 +44,7 @@ pub fn module(table: &Table, command: &str) -> Result<Statics, FormatError> {
 pub fn floats(table: &Table, command: &str) -> Result<String, FormatError> {
     parts::check(table)?;
     let parts = parts::floats(table).convert(|&number| number as f32);
-    let general = parts::general(table).convert(|&number| number as f32);
-    Ok(source::floats::module(&parts.borrow(), &general.borrow(), command))
+    Ok(source::floats::module(&parts.borrow(), command))
 }
 
 /// The statics of a table in integers.

@@ -27,11 +27,8 @@ pub struct Table {
     pub profiles: Vec<Profile>,
     /// The mean image that [`Criterion::Standard`](crate::scene::Criterion) subtracts.
     pub mean: Option<MeanImage>,
-    /// Order m and eigenvalue of every computed component, kept or not, in canonical order. m is
-    /// `None` if components are sums over several azimuths.
-    pub spectrum: Vec<(Option<i32>, Option<f64>)>,
-    /// Eigenimages that are sums of the components; the components are then only a span.
-    pub general: Option<General>,
+    /// Order m and eigenvalue of every computed component, kept or not, in canonical order.
+    pub spectrum: Vec<(i32, Option<f64>)>,
     /// The transfers of the scene's materials, with [`Store::Materials`](crate::scene::Store). The
     /// factors of M and UᵀM are then empty.
     pub transfers: Vec<MaterialTransfer>,
@@ -76,35 +73,6 @@ pub struct MeanImage {
     pub chebyshev: Vec<f64>,
     /// The coefficient of the mean image in each component.
     pub coefficients: Vec<f64>,
-}
-
-/// Eigenimages as sums of the span's functions. These functions are the table's components and
-/// profiles, without eigenvalues of their own.
-///
-/// Matrices are row-major: one row per eigenimage, one column per function of the span in the order
-/// of [`Table::components`](crate::Table::components).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct General {
-    /// Number of normals from which the eigenimages were computed.
-    pub normals: usize,
-    /// Numerical rank of the modes' images over those normals, at the scene's cut-off.
-    pub rank: usize,
-    /// The variance of each eigenimage; `None` for the constant of
-    /// [`Criterion::ImageCentered`](crate::scene::Criterion).
-    pub eigenvalues: Vec<Option<f64>>,
-    /// Maps an image's coordinates in the span to d.
-    pub projection: Vec<f64>,
-    /// Coordinates of each eigenimage in the span: the image of least norm that equals it on the
-    /// object's normals.
-    pub synthesis: Vec<f64>,
-    /// U in terms of the span's own U: the mode coefficients of an eigenimage are its row times the
-    /// mode coefficients of the span's components. Empty unless
-    /// [`Table::has_modes`](crate::Table::has_modes).
-    pub modes: Vec<f64>,
-    /// Coordinates of the mean image in the span, or empty.
-    pub mean: Vec<f64>,
-    /// Coefficient of the mean image in each eigenimage, or empty.
-    pub mean_coefficients: Vec<f64>,
 }
 
 /// The transfer of one channel of one material.
@@ -249,7 +217,7 @@ impl Table {
     /// Number of eigenimages K.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
+        self.components.len()
     }
 
     /// Energy beyond the first `count` components, from the eigenvalues.

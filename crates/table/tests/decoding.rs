@@ -10,7 +10,7 @@ fn shipped() -> Vec<u8> {
 
 /// A file with this payload and the right length and checksum.
 fn sealed(payload: &[u8]) -> Vec<u8> {
-    let mut bytes = b"EIGSHADE\x02\0\0\0".to_vec();
+    let mut bytes = b"EIGSHADE\x03\0\0\0".to_vec();
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(crc32fast::hash(payload).to_le_bytes());
     bytes.extend(payload);
@@ -47,7 +47,7 @@ fn headers_are_checked() {
         decode(&bytes).unwrap_err()
     };
     assert_eq!(with(0, 1), FileError::BadMagic);
-    assert_eq!(with(8, 1), FileError::Version(3));
+    assert_eq!(with(8, 1), FileError::Version(2));
     assert!(matches!(with(12, 1), FileError::Length { .. }));
     assert_eq!(with(20, 1), FileError::Checksum);
     assert_eq!(with(1000, 1), FileError::Checksum);
@@ -58,13 +58,13 @@ fn headers_are_checked() {
     assert!(matches!(decode(&longer), Err(FileError::Payload(_))));
 }
 
-/// The payload begins with a string, whose length precedes its bytes.
+/// After one byte, the degree, the payload has a string, whose length precedes its bytes.
 #[test]
 fn claimed_lengths_allocate_nothing() {
     let payload = &shipped()[24..];
-    assert_eq!(&payload[..7], b"\x06sphere");
+    assert_eq!(&payload[..8], b"\x09\x11inputs");
     for length in [u64::MAX, 1 << 60, 1 << 40, 1 << 32, 1 << 28] {
-        let claim = [b"\xfd".as_slice(), &length.to_le_bytes(), &payload[1..]].concat();
+        let claim = [b"\x09\xfd".as_slice(), &length.to_le_bytes(), &payload[2..]].concat();
         assert!(matches!(decode(&sealed(&claim)), Err(FileError::Payload(_))), "{length}");
     }
 }

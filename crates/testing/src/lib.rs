@@ -13,7 +13,6 @@ pub mod fixtures;
 pub mod glossy;
 
 pub mod images;
-pub mod pictures;
 
 pub mod glb;
 pub mod golden;

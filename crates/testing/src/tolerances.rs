@@ -180,34 +180,8 @@ pub const SHADED_Q15: f64 = 2e-4;
 
 // Objects
 
-/// The method for general objects on the sphere's own normals: profiles of one part in 1e3 of the
-/// strongest component are determined to about 1e-13; the rest is margin.
-pub const GENERAL_SPHERE: f64 = 1e-10;
-
-/// Images of any object with all components in f64 against the direct sum, relative to the peak
-/// over the whole hemisphere: singular values below 1e-12 are cut off.
-pub const GENERAL_PICTURES: f64 = 1e-9;
-
 /// Normals and weights of facets with two-digit corners: about ten roundings.
 pub const FACETS: f64 = 3e-16;
-
-/// Images at normals that weigh 1e-12 of others, relative to the peak. Their images are cut off
-/// with the rank, at 1e-10 of images at normals of weight 1. The root of their weight, 1e-6,
-/// divides this error, and at most a third of the result is in one image.
-pub const LIGHTEST_NORMALS: f64 = 3e-5;
-
-/// As [`LIGHTEST_NORMALS`], with each error multiplied by the root of its normal's weight relative
-/// to the heaviest: images are cut off at 1e-10, in ten times as many directions as matter.
-pub const WEIGHTED_PICTURES: f64 = 1e-10;
-
-/// Eigenvalues of flat objects against those of their images, relative to the largest: modes whose
-/// images over the sphere are below 1e-13 are left out, and at the rim alone they are a thousand
-/// times as large.
-pub const FLAT_EIGENVALUES: f64 = 5e-11;
-
-/// Images of flat objects, relative to their own peak: the cutoff of 1e-10, divided by the root of
-/// the weight of one normal in a hundred.
-pub const FLAT_PICTURES: f64 = 1e-9;
 
 /// d by a compensated sum of a million pixels in f32, relative to the largest d: eigenimages
 /// accurate to 3e-7, whose errors average out, and two roundings.

@@ -35,10 +35,6 @@ fn fits(table: &Table) -> Result<(), String> {
     if !table.has_projection() {
         return Err("it stores only transfers; set store = \"projection\" in its scene".into());
     }
-    if table.general.is_some() {
-        return Err("a module needs a table of a sphere under light that turns freely; set normals = \"sphere\" and rotation = \"any\" in its scene"
-            .into());
-    }
     Ok(())
 }
 

@@ -5,34 +5,32 @@ use eigenshade_asset::asset::Asset;
 use eigenshade_asset::texels::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::{analytic, measurements, merl as merl_file};
-use eigenshade_generator::object::geometry::WeightedNormals;
+use eigenshade_generator::object::picture::Picture;
 use eigenshade_generator::object::surface::View;
-use eigenshade_generator::object::{density, mesh, normal_map};
 use eigenshade_generator::{png_samples, scene_file};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::{coefficient_csv, normals};
 use eigenshade_table::wire::{Endian, NumberFormat};
 use eigenshade_table::{decode, encode, wire};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 
 /// A reader with its invariants: panics if one does not hold.
 pub type Reader = fn(&[u8]);
 
 /// The readers by name.
-pub const READERS: [(&str, Reader); 13] = [
+pub const READERS: [(&str, Reader); 12] = [
     ("exr", |bytes| map("exr", bytes)),
     ("hdr", |bytes| map("hdr", bytes)),
     ("pfm", |bytes| map("pfm", bytes)),
     ("png", png),
-    ("obj", |bytes| weighted(mesh::read(file("obj", bytes)))),
-    ("stl", |bytes| weighted(mesh::read(file("stl", bytes)))),
-    ("ply", |bytes| weighted(mesh::read(file("ply", bytes)))),
+    ("obj", |bytes| mesh("obj", bytes)),
+    ("stl", |bytes| mesh("stl", bytes)),
+    ("ply", |bytes| mesh("ply", bytes)),
     ("glb", glb),
     ("csv", csv),
     ("toml", toml),
     ("merl", merl),
-    ("formula", formula),
     ("bin", bin),
 ];
 
@@ -59,15 +57,14 @@ fn png(bytes: &[u8]) {
         let count = png.width * png.height;
         assert_eq!((png.colors.len(), png.opacities.len()), (count, count));
     }
-    weighted(normal_map::read(&path, None));
-    weighted(normal_map::read(&path, Some(&path)));
+    drawn(Picture::of_map(&path, None, false));
 }
 
 /// Every kind of CSV; the first byte chooses the kind.
 fn csv(bytes: &[u8]) {
     let Some((kind, text)) = bytes.split_first() else { return };
     let path = file("csv", text);
-    match kind % 6 {
+    match kind % 4 {
         0 => {
             if let Some(lights) = accepted(coefficient_csv::read_lights(&path, None)) {
                 let count = (lights.degree + 1).pow(2);
@@ -86,16 +83,11 @@ fn csv(bytes: &[u8]) {
                 normals.iter().for_each(visible);
             }
         }
-        3 => weighted(normals::read_weighted_normals(&path)),
-        4 => {
+        _ => {
             if let Some(measured) = accepted(measurements::read(&path)) {
                 assert!(!measured.samples.is_empty());
                 measured.samples.iter().for_each(|sample| finite(&sample.rgb, 3));
             }
-        }
-        _ => {
-            let name = path.file_name().and_then(|name| name.to_str()).expect("a name");
-            weighted(density::read(name, path.parent().expect("a folder"), 1));
         }
     }
 }
@@ -118,14 +110,6 @@ fn merl(bytes: &[u8]) {
         bytes.extend(numbers.iter().cycle().take(merl_file::BYTES as usize - 12));
     }
     accepted(merl_file::read(file("binary", &bytes)));
-}
-
-fn formula(bytes: &[u8]) {
-    let Ok(text) = std::str::from_utf8(bytes) else { return };
-    // A file name is not a formula.
-    if !text.to_ascii_lowercase().ends_with("csv") {
-        weighted(density::read(text, Path::new(""), 0));
-    }
 }
 
 /// A table. Bytes that do not begin with `E` are a version and a payload, which get the right
@@ -158,11 +142,18 @@ fn map(ending: &str, bytes: &[u8]) {
     }
 }
 
-/// Checks weighted normals, and the object made from them.
-fn weighted(read: Result<Vec<([f64; 3], f64)>>) {
-    if let Some(object) = accepted(read).and_then(|pairs| accepted(WeightedNormals::new(pairs))) {
-        object.normals().iter().for_each(visible);
+/// A mesh, drawn small, smooth and flat.
+fn mesh(ending: &str, bytes: &[u8]) {
+    let path = file(ending, bytes);
+    for is_flat in [false, true] {
+        drawn(Picture::of_mesh(&path, 8, &View { is_flat, ..View::default() }));
     }
+}
+
+/// Checks the normals of a picture.
+fn drawn(picture: Result<Picture>) {
+    let pixels = accepted(picture).into_iter().flat_map(|picture| picture.pixels);
+    pixels.flatten().for_each(|shown| visible(&shown.normal));
 }
 
 fn glb(bytes: &[u8]) {

@@ -111,8 +111,7 @@ impl Basis {
 fn report(table: &Table, bytes: usize, time: Duration) -> String {
     let summary = &table.summary;
     let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };
-    let of_sphere: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
-    let rank = table.general.as_ref().map_or(of_sphere, |general| general.rank);
+    let rank: usize = summary.ranks.iter().enumerate().map(both_signs).sum();
     let (found, requested) = (table.count(), table.scene.basis.components);
     let fewer = match requested {
         Some(requested) if requested > found => {

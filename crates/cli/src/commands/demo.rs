@@ -53,8 +53,8 @@ impl Demo {
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::new(&table)?;
         let components = table.count();
-        let mut shader =
-            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, components)
+            .with_transfers(basis.transfers());
         let (relief, sphere) = (demo_relief::view(self.size), ObjectView::sphere(self.size));
         // The most metallic material, which is the last, is also that of the relief.
         let metal = materials.entries.last().map(|material| (material, &relief));

@@ -64,7 +64,7 @@ pub struct Eigenvalues {
 struct Eigenvalue {
     criterion: &'static str,
     index: usize,
-    m: Option<i32>,
+    m: i32,
     eigenvalue: Option<f64>,
 }
 
@@ -95,9 +95,7 @@ fn description(table: &Table) -> Description {
     }
     let modes = eigenshade_table::mode::total(table.gram.degree, table.gram.order);
     let mut found = Description::default();
-    found.field("normals", &scene.geometry.normals);
     found.field("light", &scene.light.database);
-    found.field("rotation", format!("{:?}", scene.light.rotation).to_lowercase());
     found.field("material", format!("{}, {names}", scene.material.database.join(" ")));
     found.field("criterion", scene.basis.criterion.name());
     found.field("requested", requested);

@@ -67,8 +67,8 @@ impl Pack {
             return Ok(table);
         }
         let count = table::components(&table, self.components, self.table.path())?;
-        if !table::can_lose_components(&table) {
-            let what = "only a sphere's table that projects can lose components";
+        if !table.has_projection() {
+            let what = "only a table that projects can lose components";
             return Err(Error::new(what, "make it with fewer").in_file(self.table.path()));
         }
         Ok(with_components(&table, |number, _| number < count))

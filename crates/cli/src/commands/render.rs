@@ -29,7 +29,6 @@ use eigenshade_shading::presets::Source;
 use eigenshade_shading::preview::Preview;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
 use eigenshade_table::effect::Effects;
-use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};
 
@@ -245,7 +244,6 @@ impl Render {
         let mut ringing = Ringing::default();
         let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
         ringing.record(pair, least, largest);
-        let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         let drawing = Drawing { table: choice.path(), components, sources, window };
         let drawn = (all_effects && !is_dark).then(|| drawing.to_string());
@@ -256,7 +254,7 @@ impl Render {
             }
             _ => None,
         });
-        let notes = note.into_iter().chain(drawn).chain(warnings).chain(ringing);
+        let notes = drawn.into_iter().chain(warnings).chain(ringing);
         notes.chain(note_of_error).for_each(print_message);
         Ok(())
     }
@@ -292,7 +290,7 @@ impl Pair<'_> {
         let window = match format {
             Format::F32 => {
                 let basis = OwnedBasis::new(self.table)?;
-                let mut shader = Shader::new(basis.any().map_err(fault)?, components)
+                let mut shader = Shader::new(basis.basis().map_err(fault)?, components)
                     .with_transfers(basis.transfers());
                 Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure)
             }
@@ -313,7 +311,7 @@ impl Pair<'_> {
         show: &mut dyn FnMut(Pixel, Rgb<f32>),
     ) -> Result<()> {
         let basis = OwnedBasis::new(self.table)?;
-        let mut shader = Shader::new(basis.any().map_err(fault)?, components)
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, components)
             .with_transfers(basis.transfers())
             .with_effects(effects)?;
         let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
@@ -370,20 +368,4 @@ impl Pair<'_> {
             }
         }
     }
-}
-
-/// A note if the table at `path` is of another object than a sphere.
-fn note(path: &Path, geometry: &Geometry) -> Option<String> {
-    if geometry.normals == "sphere" {
-        return None;
-    }
-    let density = geometry.density.as_ref().map(|density| format!(" {density}"));
-    Some(format!(
-        "note: the picture shows a sphere; {} was made for the object `{}{}`, and its components \
-         are the best for that object, not for a sphere; draw the object with `render --normals \
-         OBJECT`, or `shade` its normals",
-        path.display(),
-        geometry.normals,
-        density.unwrap_or_default(),
-    ))
 }

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use eigenshade::screen::NegativePolicy;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
-use eigenshade_cli::table::{self, rounding};
+use eigenshade_cli::table::rounding;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
@@ -110,8 +110,7 @@ impl Shade {
         let way = self.way()?;
         let components = self.choices.components(&table, self.table.path())?;
         // Integers of some components are scaled without the others, as `pack` scales them.
-        let is_part =
-            is_integer && components < table.count() && table::can_lose_components(&table);
+        let is_part = is_integer && components < table.count() && table.has_projection();
         let table =
             if is_part { with_components(&table, |number, _| number < components) } else { table };
         // The rounding of all components was measured, but not that of fewer.

@@ -120,7 +120,7 @@ impl Images {
     /// Writes the images in f32.
     pub fn floats(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
         let basis = OwnedBasis::new(&self.table)?;
-        let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, self.components)
             .with_transfers(basis.transfers())
             .with_effects(self.effects)?;
         if let Some(tolerance) = self.tolerance {

@@ -119,7 +119,7 @@ impl Shader {
         let (highlights, sharp) = self.highlights(&table, &mut lights, &materials)?;
         let (light, material) = (&lights.entries[0], &materials.entries[0]);
         let basis = OwnedBasis::new(&table)?;
-        let any = basis.any().map_err(fault)?;
+        let any = basis.basis().map_err(fault)?;
         let projector = Projector::new(any, table.count()).with_transfers(basis.transfers());
         let channels = [0, 1, 2].map(|c| (&light.rgb[c][..], &material.rgb[c][..]));
         let written = self.written(projector, channels, highlights.as_ref());

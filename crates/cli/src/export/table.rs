@@ -5,7 +5,7 @@ use super::array::Array;
 use super::shown::Shown;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_table::{General, Profile, Table, mode};
+use eigenshade_table::{Profile, Table, mode};
 
 /// The most numbers in the arrays of a table.
 #[must_use]
@@ -16,9 +16,7 @@ pub fn size(table: &Table, normals: usize) -> usize {
 }
 
 /// The arrays of a table. Modes are sorted by m from -degree to degree, and within one m in the
-/// order of [`mode`]. For an object other than the sphere, the arrays over components describe the
-/// span, and those of [`General`] the eigenimages over it. Fails if the table stores only
-/// transfers.
+/// order of [`mode`]. Fails if the table stores only transfers.
 pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
     if !table.has_projection() {
         let remedy = "make it with store = \"modes\"";
@@ -81,7 +79,6 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
         ));
     }
     arrays.extend(statistics(table));
-    table.general.iter().for_each(|general| arrays.extend(of_object(general, components)));
     if let Some(shown) = shown {
         arrays.extend(images(table, shown));
         arrays.extend(shown.arrays());
@@ -146,16 +143,13 @@ fn series(table: &Table) -> Array {
 }
 
 fn statistics(table: &Table) -> Vec<Array> {
-    let of_components = || table.components.iter().map(|one| one.eigenvalue).collect();
-    let values: Vec<Option<f64>> =
-        table.general.as_ref().map_or_else(of_components, |general| general.eigenvalues.clone());
     let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
-    let spectrum = &table.spectrum;
+    let (components, spectrum) = (&table.components, &table.spectrum);
     let mut arrays = vec![
         Array::new(
             "eigenvalues",
-            [values.len()],
-            values.into_iter().map(number).collect::<Vec<_>>(),
+            [components.len()],
+            components.iter().map(|one| number(one.eigenvalue)).collect::<Vec<_>>(),
         ),
         Array::new(
             "spectrum",
@@ -172,18 +166,6 @@ fn statistics(table: &Table) -> Vec<Array> {
         ));
     }
     arrays
-}
-
-fn of_object(general: &General, components: usize) -> Vec<Array> {
-    let count = general.eigenvalues.len();
-    let matrices = [
-        ("object_projection", &general.projection),
-        ("object_synthesis", &general.synthesis),
-        ("object_modes", &general.modes),
-    ];
-    let kept = matrices.into_iter().filter(|(_, values)| !values.is_empty());
-    let axes = [count, components];
-    kept.map(|(name, values)| Array::new(name, axes, values.clone())).collect()
 }
 
 /// Each eigenimage at the normals, and the mean image if there is one.

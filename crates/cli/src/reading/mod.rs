@@ -3,7 +3,7 @@
 pub mod pixels;
 
 use eigenshade_generator::basis::database::comparable_weights;
-use eigenshade_generator::basis::moments::{LightStatistics, MaterialMoments, equal};
+use eigenshade_generator::basis::moments::{LightMoments, MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, Fit, LeastSquares, fit, scalar_product};
 use eigenshade_generator::reading::light_estimate::{self, Candidate};
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
@@ -74,12 +74,11 @@ impl<'a> Reader<'a> {
         let transfers = Transfers::new(table, components);
         let scene = &table.scene;
         let of_lights = weights(&lights.entries, &scene.light.weights)?;
-        let (normalize, rotation) = (scene.light.normalize, scene.light.rotation);
-        let statistics = LightStatistics::new(lights, normalize, rotation, &of_lights)?;
+        let moments = LightMoments::weighted(lights, scene.light.normalize, &of_lights)?;
         let weights = weights(&materials.entries, &scene.material.weights)?;
         let weights = comparable_weights(scene, (lights, &of_lights), (materials, weights))?;
         let of_materials = MaterialMoments::weighted(materials, weights);
-        let prior = Prior::new(table, &transfers, &statistics, of_materials)?;
+        let prior = Prior::new(table, &transfers, &moments, of_materials)?;
         Ok(Self { table, materials, transfers, prior })
     }
 

@@ -9,14 +9,10 @@
 //! error that the scene allows.
 
 use eigenshade_generator::basis::profile::evaluate;
-use eigenshade_table::{General, Profile, Table, mode};
+use eigenshade_table::{Profile, Table};
 
 /// The allowed difference, relative to the largest number of its kind.
 pub const ALLOWED: f64 = 1e-9;
-
-/// The allowed difference of images drawn by a general table, in units of its profile tolerance:
-/// the sum of the truncation errors of some hundred profiles.
-const DRAWN: f64 = 100.0;
 
 /// The number of arguments at which polynomials are compared.
 const ARGUMENTS: u32 = 64;
@@ -53,24 +49,6 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
     let eigenvalues = compared("components' eigenvalues", &component_eigenvalues);
     let spectrum = compared("spectrum", &|one| spectrum(one, longest));
     let mean = compared("coefficients of the mean", &mean_coefficients);
-    if fresh.general.is_some() {
-        let of_images =
-            |what, of: fn(&General) -> &Vec<f64>| compared(what, &|one| projected(one, of));
-        let allowed = DRAWN * fresh.scene.basis.profile_tolerance;
-        let mut differences = vec![
-            Difference { allowed, ..compared("eigenimages drawn", &drawn) },
-            of_images("d of the eigenimages", |general| &general.synthesis),
-            eigenvalues,
-            spectrum,
-            mode_means(),
-            compared("rows of U^T M", &general_rows),
-            mean,
-        ];
-        if fresh.has_modes() {
-            differences.push(of_images("d of their modes", |general| &general.modes));
-        }
-        return Ok(differences);
-    }
     let [old_series, new_series, alone] = polynomials(table, fresh);
     // Each is within the tolerance of the whole series.
     let alone = Difference {
@@ -127,13 +105,11 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
     if table.scene != fresh.scene {
         return Err("it was made for another scene".into());
     }
-    if table.count() != fresh.count() || table.general.is_some() != fresh.general.is_some() {
+    if table.count() != fresh.count() {
         let (found, expected) = (table.count(), fresh.count());
         return Err(format!("it has {found} components instead of {expected}"));
     }
-    // Rounding decides where the span of a general table ends, so the span is not compared.
-    let determined = fresh.general.is_none();
-    if determined && (orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh)) {
+    if orders(table) != orders(fresh) || azimuths(table) != azimuths(fresh) {
         return Err("its components have other azimuths".into());
     }
     if table.selection != fresh.selection {
@@ -145,67 +121,7 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
     Ok(())
 }
 
-/// Rows of UᵀM of a general table, for each eigenimage and each m of the span, computed from its
-/// projection. Rounding affects where the profiles of the span end, but not these rows.
-fn general_rows(table: &Table) -> Vec<f64> {
-    let Some(general) = &table.general else { return Vec::new() };
-    let of_profiles = table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
-    let length = |azimuth| mode::count(table.gram.degree, table.gram.order, azimuth);
-    let functions = table.components.len().max(1);
-    spanned(table, general.projection.chunks(functions), length, of_profiles)
-}
-
-/// Weighted sums of what belongs to the profiles of the span, for each row of weights and each m;
-/// `length` numbers for an azimuth.
-fn spanned<'w>(
-    table: &Table,
-    weights: impl Iterator<Item = &'w [f64]>,
-    length: impl Fn(usize) -> usize,
-    of_profiles: Vec<Vec<f64>>,
-) -> Vec<f64> {
-    let degree = table.gram.degree as i32;
-    let mut values = Vec::new();
-    for weights in weights {
-        for order in -degree..=degree {
-            let mut sums = vec![0.0; length(order.unsigned_abs() as usize)];
-            for (component, weight) in table.components.iter().zip(weights) {
-                if component.order == order {
-                    for (sum, value) in sums.iter_mut().zip(&of_profiles[component.profile]) {
-                        *sum += weight * value;
-                    }
-                }
-            }
-            values.extend(sums);
-        }
-    }
-    values
-}
-
-/// d of the eigenimages that a general table gives in its span, row by row.
-fn projected(table: &Table, of: fn(&General) -> &Vec<f64>) -> Vec<f64> {
-    let Some(general) = &table.general else { return Vec::new() };
-    let functions = table.components.len().max(1);
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let rows = general.projection.chunks(functions);
-    rows.flat_map(|row| of(general).chunks(functions).map(move |image| dot(row, image))).collect()
-}
-
-/// The eigenimages and the mean image of a general table, drawn by the polynomials of its span, for
-/// each order m on slants from the pole to the rim.
-fn drawn(table: &Table) -> Vec<f64> {
-    let Some(general) = &table.general else { return Vec::new() };
-    let profiles = table.profiles.iter();
-    let of_profiles =
-        profiles.map(|profile| polynomial(profile.azimuth, &profile.chebyshev)).collect();
-    let functions = table.components.len().max(1);
-    let weights = general.synthesis.chunks(functions).chain(general.mean.chunks(functions));
-    spanned(table, weights, |_| ARGUMENTS as usize + 1, of_profiles)
-}
-
 fn component_eigenvalues(table: &Table) -> Vec<f64> {
-    if let Some(general) = &table.general {
-        return general.eigenvalues.iter().map(|value| value.unwrap_or(0.0)).collect();
-    }
     table.components.iter().map(|one| one.eigenvalue.unwrap_or(0.0)).collect()
 }
 
@@ -253,10 +169,7 @@ fn polynomial(azimuth: usize, chebyshev: &[f64]) -> Vec<f64> {
 }
 
 fn mean_coefficients(table: &Table) -> Vec<f64> {
-    match &table.general {
-        Some(general) => general.mean_coefficients.clone(),
-        None => table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone()),
-    }
+    table.mean.as_ref().map_or_else(Vec::new, |mean| mean.coefficients.clone())
 }
 
 fn difference(what: &'static str, found: &[f64], expected: &[f64]) -> Difference {

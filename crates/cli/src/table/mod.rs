@@ -6,9 +6,8 @@ pub mod rounding;
 
 use crate::description::Description;
 use crate::messages::grouped;
-use eigenshade::wire::{Fault, Header, NumberFormat, WireError, aligned};
-use eigenshade::wire::{GeneralParts, Parts};
-use eigenshade::{Basis, GeneralBasis, q15};
+use eigenshade::wire::{Fault, Header, NumberFormat, Parts, WireError, aligned};
+use eigenshade::{Basis, q15};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::{InputFile, is_file};
 use eigenshade_model::shipped;
@@ -77,12 +76,6 @@ pub fn components(table: &Table, requested: Option<usize>, path: &Path) -> Resul
     }
 }
 
-/// Whether a table can lose components: only one of a sphere that projects can.
-#[must_use]
-pub fn can_lose_components(table: &Table) -> bool {
-    table.general.is_none() && table.has_projection()
-}
-
 /// Whether the bytes begin like a wire file.
 #[must_use]
 pub fn is_wire(bytes: &[u8]) -> bool {
@@ -102,10 +95,8 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     };
     let (header, lengths) = found.map_err(|error| Error::of_line(error, "pack the table again"))?;
     let (format, names) = match NumberFormat::of(header.format) {
-        Some(NumberFormat::F32) | None => {
-            (NumberFormat::F32, [Parts::ARRAYS, GeneralParts::ARRAYS].concat())
-        }
-        Some(format) => (format, q15::Parts::ARRAYS.to_vec()),
+        Some(NumberFormat::F32) | None => (NumberFormat::F32, Parts::ARRAYS),
+        Some(format) => (format, q15::Parts::ARRAYS),
     };
     let mut description = Description::default();
     description.field("wire version", header.version);
@@ -114,13 +105,12 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     description.field("format", format.name());
     description.field("degree", header.degree);
     description.field("order", header.order);
-    description.field("components", header.images.max(header.components));
-    description.field("span", if header.images == 0 { 0 } else { header.components });
+    description.field("components", header.components);
     if !lengths.is_empty() {
         let lengths = lengths.iter().map(|(name, length)| format!("{name} {}", grouped(*length)));
         description.field("buffers", lengths.collect::<Vec<_>>().join(", "));
     }
-    for (number, name) in names.into_iter().take(header.sections).enumerate() {
+    for (number, name) in names.iter().take(header.sections).enumerate() {
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
         description.part(name.replace('_', " "), length as usize);
@@ -132,9 +122,9 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
 /// The file with the numbers of its header and its table of sections in the other byte order.
 fn swapped(bytes: &[u8]) -> Vec<u8> {
     use eigenshade_table::wire::place::{
-        COMPONENTS, DEGREE, FORMAT, IMAGES, LENGTH, MARK, ORDER, SECTIONS, VERSION,
+        COMPONENTS, DEGREE, FORMAT, LENGTH, MARK, ORDER, SECTIONS, VERSION,
     };
-    let starts = [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, IMAGES, SECTIONS];
+    let starts = [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, SECTIONS];
     let mut bytes = bytes.to_vec();
     let ends = starts[1..].iter().copied().chain([SECTIONS + 2]);
     for (start, end) in starts.into_iter().zip(ends) {
@@ -173,21 +163,18 @@ fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
     let bytes = aligned(bytes, &mut room)?;
     let lengths = match NumberFormat::of(header.format) {
         Some(NumberFormat::Q15) => of_integers(&q15::Basis::from_bytes(bytes)?),
-        _ if header.images > 0 => {
-            let basis = GeneralBasis::from_bytes(bytes)?;
-            of_floats(basis.workspace_len(), basis.components(), basis.span())
-        }
-        _ => {
-            let basis = Basis::from_bytes(bytes)?;
-            of_floats(basis.workspace_len(), basis.components(), &basis)
-        }
+        _ => of_floats(&Basis::from_bytes(bytes)?),
     };
     Ok((header, lengths))
 }
 
-fn of_floats(workspace: usize, components: usize, basis: &Basis<'_>) -> Lengths {
-    let lengths = [workspace, basis.transfer_len(), components, basis.scene_len()];
-    ["WORKSPACE", "TRANSFER", "COMPONENTS", "SCENE"].into_iter().zip(lengths).collect()
+fn of_floats(basis: &Basis<'_>) -> Lengths {
+    vec![
+        ("WORKSPACE", basis.workspace_len()),
+        ("TRANSFER", basis.transfer_len()),
+        ("COMPONENTS", basis.components()),
+        ("SCENE", basis.scene_len()),
+    ]
 }
 
 fn of_integers(basis: &q15::Basis<'_>) -> Lengths {

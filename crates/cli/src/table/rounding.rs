@@ -106,7 +106,7 @@ fn exact(table: &Table, pairs: &[[Vec<f64>; 2]], normals: &[[f64; 3]]) -> Result
 
 fn floats(table: &Table, pairs: &[[Vec<f64>; 2]], normals: &[[f64; 3]]) -> Result<Images> {
     let basis = OwnedBasis::new(table)?;
-    let any = basis.any().map_err(fault)?;
+    let any = basis.basis().map_err(fault)?;
     let mut shader = Shader::new(any, usize::MAX).with_transfers(basis.transfers());
     let normals = OwnedNormals::new(normals);
     let image = |[light, material]: &[Vec<f64>; 2]| {

@@ -1,19 +1,12 @@
-//! Files that describe objects, images to read, and tables of objects.
+//! Files that describe objects, and images to read.
 
-use super::{BASIS, DEGREE, Folder, ORDER, lights, materials, normals, numbers, rows, scene};
+use super::{BASIS, DEGREE, Folder, ORDER, lights, materials, normals, numbers, rows};
 use eigenshade_testing::fixtures;
-use eigenshade_testing::vectors::{cross, sum};
 use png::{BitDepth, ColorType, Encoder};
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 use std::sync::OnceLock;
-
-/// The small scene with another `[geometry]`, every component.
-pub fn with_geometry(geometry: &str) -> String {
-    let text = scene("image-centered", 10_000, "[]");
-    text.replace("normals = \"sphere\"\n", geometry)
-}
 
 /// A folder with these files and the table of this scene.
 pub fn built(scene: &str, files: &[(&str, Vec<u8>)]) -> Folder {
@@ -24,11 +17,6 @@ pub fn built(scene: &str, files: &[(&str, Vec<u8>)]) -> Folder {
     folder.write("scene.toml", scene);
     folder.ok(BASIS);
     folder
-}
-
-/// A folder with the table of this geometry.
-pub fn table(geometry: &str, files: &[(&str, Vec<u8>)]) -> Folder {
-    built(&with_geometry(geometry), files)
 }
 
 /// The eigenvalues, without the empty one of the constant.
@@ -94,22 +82,6 @@ pub fn stl() -> Vec<u8> {
         bytes.extend([0; 2]);
     }
     bytes
-}
-
-/// Facets that face the camera less than this, of numbers of order one, are seen edge on, but
-/// for rounding.
-const EDGE_ON: f64 = 1e-12;
-
-/// The facets of the ellipsoid, as a list of normals with weights.
-pub fn facets() -> String {
-    let (corners, triangles) = ellipsoid();
-    let facet = |corners: [[f64; 3]; 3]| {
-        let [a, b, c] = corners;
-        let [x, y, z] = cross(sum(b, -1.0, a), sum(c, -1.0, a));
-        (z > EDGE_ON).then(|| format!("{x},{y},{z},{z}\n"))
-    };
-    let facets = triangles.iter().filter_map(|triangle| facet(triangle.map(|k| corners[k])));
-    format!("x,y,z,weight\n{}", facets.collect::<String>())
 }
 
 /// A disc of a sphere's normals, a pixel each.

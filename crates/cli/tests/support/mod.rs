@@ -309,8 +309,7 @@ pub fn normals(rows: &str, seed: u64, count: usize) -> String {
 
 pub fn scene(criterion: &str, components: usize, names: &str) -> String {
     format!(
-        "[geometry]\nnormals = \"sphere\"\n\
-         [light]\ndegree = {DEGREE}\ndatabase = \"lights.csv\"\nrotation = \"any\"\n\
+        "[light]\ndegree = {DEGREE}\ndatabase = \"lights.csv\"\n\
          [material]\norder = {ORDER}\ndatabase = \"materials.csv\"\nnames = {names}\n\
          [basis]\ncriterion = \"{criterion}\"\ncomponents = {components}\n\
          profile_tolerance = 1e-12\n"

@@ -77,11 +77,11 @@ impl Analysis {
     }
 
     /// Order m and eigenvalue of every component, in canonical order.
-    pub(crate) fn spectrum(&self) -> Vec<(Option<i32>, Option<f64>)> {
+    pub(crate) fn spectrum(&self) -> Vec<(i32, Option<f64>)> {
         let both = |profile: &Ranked| {
             let (azimuth, eigenvalue) = (profile.azimuth, profile.eigenvalue);
             let orders = canonical::orders(azimuth).iter();
-            orders.map(move |sign| (Some(sign * azimuth as i32), eigenvalue))
+            orders.map(move |sign| (sign * azimuth as i32, eigenvalue))
         };
         self.ranked.iter().flat_map(both).collect()
     }
@@ -168,7 +168,6 @@ impl Analysis {
             profiles: Vec::new(),
             mean: None,
             spectrum: self.spectrum(),
-            general: None,
             transfers: Vec::new(),
         };
         let selected = Selected::new(&self.azimuths, &self.ranked, count);

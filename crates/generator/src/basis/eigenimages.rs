@@ -95,15 +95,7 @@ fn coordinates(gram: &GramFactor, azimuth: &Azimuth, ranked: &Ranked) -> Mat<f64
     Mat::from_fn(vector.len(), 1, |i, _| sign * vector[i])
 }
 
-/// The first `rank` left singular vectors of a block, with canonical signs.
-pub(crate) fn signed_left(block: &Block, rank: usize) -> Mat<f64> {
-    let left = block.left(rank);
-    let series = block.space.chebyshev(&left);
-    let of = |k: usize| canonical::sign(&series.col(k).iter().copied().collect::<Vec<_>>());
-    let signs: Vec<f64> = (0..rank).map(of).collect();
-    Mat::from_fn(left.nrows(), rank, |i, k| signs[k] * left[(i, k)])
-}
-
+/// A profile from its coordinates, given as a column.
 fn profile(
     gram: &GramFactor,
     block: &Block,
@@ -112,17 +104,6 @@ fn profile(
     threshold: f64,
 ) -> Profile {
     let modes = block.mode_coefficients(coordinates, threshold);
-    let modes = modes.col(0).iter().copied().collect();
-    Profile { modes, ..image(gram, block, coordinates, tolerance) }
-}
-
-/// A profile from its coordinates, given as a column; its mode coefficients are left empty.
-pub(crate) fn image(
-    gram: &GramFactor,
-    block: &Block,
-    coordinates: &Mat<f64>,
-    tolerance: f64,
-) -> Profile {
     let first = |matrix: Mat<f64>| matrix.col(0).iter().copied().collect::<Vec<f64>>();
     let mut chebyshev = first(block.space.chebyshev(coordinates));
     chebyshev.truncate(profile::trimmed_length(&chebyshev, block.azimuth, tolerance));
@@ -130,7 +111,7 @@ pub(crate) fn image(
     Profile {
         azimuth: block.azimuth,
         factors: factors(gram, block.azimuth, &node_values),
-        modes: Vec::new(),
+        modes: modes.col(0).iter().copied().collect(),
         chebyshev,
         node_values,
     }

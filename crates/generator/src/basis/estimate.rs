@@ -1,10 +1,9 @@
 //! Estimates the memory and time that a scene's table needs, before it is made.
 
 use crate::basis::profile::terms;
-use crate::object::geometry::Geometry;
 use crate::scene_file::Loaded;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::scene::{LightRotation, Store};
+use eigenshade_table::scene::Store;
 use eigenshade_table::{layout, light, material, mode, pair};
 use std::time::Duration;
 
@@ -41,8 +40,6 @@ struct Blocks {
     making: f64,
     /// Numbers of all profiles, if each is in the table.
     profiles: f64,
-    /// Dimension of the span of all blocks.
-    dimension: f64,
     operations: f64,
 }
 
@@ -66,46 +63,18 @@ impl Estimate {
         // Each color of the databases: as loaded, fitted to the scene, and as moments.
         let common = count(pairs) + count(rotations) + 8.0 * count(databases);
 
-        let is_general =
-            loaded.geometry != Geometry::Sphere || scene.light.rotation != LightRotation::Any;
-        let (numbers, operations) = if is_general {
-            let (places, lights) =
-                (count(light::count(degree)), count(loaded.lights.entries.len()));
-            let (vectors, turned) = match scene.light.rotation {
-                LightRotation::Any => (places, 0.0),
-                LightRotation::None => (places.min(lights), lights),
-                // Each light at all angles, before compression.
-                LightRotation::Vertical => (places, lights * (4 * degree + 4) as f64),
-            };
-            let images = materials * (vectors + 1.0);
-            let size = blocks.dimension;
-            let normals = match &loaded.geometry {
-                Geometry::Sphere => 0.0,
-                Geometry::Listed(listed) => count(listed.normals().len()),
-            };
-            // The mode images of the span, then the matrices of its dimension and the images.
-            let numbers = blocks.kept * 1.5
-                + blocks.making
-                + size * (12.0 * size + 6.0 * images)
-                + 3.0 * turned * places;
-            let operations =
-                8.0 * size * size * (2.0 * size + images) + 4.0 * normals * size * size;
-            (numbers, blocks.operations + operations / cores)
-        } else {
-            let most = blocks.profiles;
-            let given = scene.basis.components.map_or(most, |components| {
-                let factors = (degree + 1) * layout::row(order);
-                count(components) * count(mode::count(degree, order, 0) + factors + 2 * nodes)
-            });
-            // The table, its modes at the nodes, and its bytes while the buffer grows.
-            let copies = if scene.basis.store == Store::Modes { 4.0 } else { 2.0 };
-            let numbers = blocks.kept + (cores * blocks.making).max(copies * given.min(most));
-            (numbers, blocks.operations / cores)
-        };
+        let most = blocks.profiles;
+        let given = scene.basis.components.map_or(most, |components| {
+            let factors = (degree + 1) * layout::row(order);
+            count(components) * count(mode::count(degree, order, 0) + factors + 2 * nodes)
+        });
+        // The table, its modes at the nodes, and its bytes while the buffer grows.
+        let copies = if scene.basis.store == Store::Modes { 4.0 } else { 2.0 };
+        let numbers = blocks.kept + (cores * blocks.making).max(copies * given.min(most));
         Self {
             size: [degree, order],
             bytes: (NUMBER * (common + numbers)) as u64,
-            time: Duration::from_secs_f64(operations / RATE),
+            time: Duration::from_secs_f64(blocks.operations / cores / RATE),
         }
     }
 
@@ -154,7 +123,6 @@ impl Blocks {
                 2.0 * nodes * modes + 4.0 * terms * modes + images * (coefficients + 4.0 * terms);
             blocks.making = blocks.making.max(making);
             blocks.profiles += terms * (modes + factors + nodes + terms);
-            blocks.dimension += terms * if azimuth == 0 { 1.0 } else { 2.0 };
             blocks.operations += 4.0 * modes * terms * (2.0 * terms + nodes)
                 + images * terms * (coefficients + 8.0 * terms);
         }

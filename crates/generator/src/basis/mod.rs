@@ -6,13 +6,10 @@ pub mod choice;
 pub mod database;
 pub(crate) mod eigenimages;
 pub mod estimate;
-pub mod general;
 pub mod gram;
 pub mod moments;
-pub(crate) mod observed;
 pub mod pca;
 pub mod profile;
-pub mod span;
 
 pub use crate::basis::eigenimages::orthonormality;
 

@@ -79,12 +79,6 @@ impl Block {
         Ok(Self { azimuth, space, left, singular_values, right: None, factor })
     }
 
-    /// The first `rank` left singular vectors of `factor`.
-    #[must_use]
-    pub fn left(&self, rank: usize) -> Mat<f64> {
-        self.left.get(.., ..rank).to_owned()
-    }
-
     /// Numerical rank: the number of singular values above `threshold`.
     #[must_use]
     pub fn rank(&self, threshold: f64) -> usize {

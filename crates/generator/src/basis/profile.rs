@@ -71,19 +71,6 @@ fn chebyshev(j: usize, t: f64) -> f64 {
     (j as f64 * t.clamp(-1.0, 1.0).acos()).cos()
 }
 
-/// T_0 to T_(`terms` - 1) at 2z - 1, for z in \[0, 1\].
-#[must_use]
-pub fn chebyshev_values(terms: usize, z: f64) -> Vec<f64> {
-    let t = 2.0 * z - 1.0;
-    let mut values = Vec::with_capacity(terms);
-    let (mut value, mut next) = (1.0, t);
-    for _ in 0..terms {
-        values.push(value);
-        (value, next) = (next, 2.0 * t * next - value);
-    }
-    values
-}
-
 /// Evaluates h(z) from its Chebyshev series in 2z - 1 by Clenshaw's recurrence.
 #[must_use]
 pub fn evaluate(series: &[f64], z: f64) -> f64 {

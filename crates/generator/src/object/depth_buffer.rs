@@ -23,16 +23,6 @@ pub(super) struct DepthBuffer {
     has_changed: Vec<bool>,
 }
 
-/// Counts of a facet's samples.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Count {
-    /// Samples that the facet covers. If none is seen, the count may stop once it reaches the
-    /// requested number.
-    pub(super) covered: usize,
-    /// Samples where nothing lies in front.
-    pub(super) seen: usize,
-}
-
 impl DepthBuffer {
     pub(super) fn new(samples: usize) -> Self {
         let tiles = samples.div_ceil(TILE);
@@ -83,32 +73,6 @@ impl DepthBuffer {
                 }
             });
         }
-    }
-
-    /// Counts a facet's samples in a drawn picture. If none is seen, it counts at least `enough`,
-    /// or all.
-    pub(super) fn count(&mut self, facet: &Placed, enough: usize) -> Count {
-        let mut count = Count::default();
-        self.visit_seen(facet, |_, _| count.seen += 1);
-        let plane = Plane::new(facet);
-        for part in self.parts(facet) {
-            if count.seen == 0 && count.covered >= enough {
-                break;
-            }
-            if part.is_inside(&plane) {
-                count.covered += part.rows.len() * part.columns.len();
-            } else if !part.is_outside(&plane) {
-                facet.visit(&plane, [part.rows, part.columns], |_, _, _| count.covered += 1);
-            }
-        }
-        count
-    }
-
-    /// Whether, at the nearest sample, nothing lies farther than this in front of a point.
-    pub(super) fn sees(&self, [x, y, depth]: [f64; 3], distance: f64) -> bool {
-        // The casts convert negative coordinates to 0.
-        let [column, row] = [x, y].map(|across| (across as usize).min(self.samples - 1));
-        depth + distance >= self.front[row * self.samples + column]
     }
 
     /// The samples that a facet may cover, split into tiles, or as one part if they are few.
@@ -189,16 +153,11 @@ impl Part {
         let sides = self.corners().map(|[x, y]| plane.sides(x, y));
         (0..3).any(|edge| sides.iter().all(|sides| sides[edge] < 0.0))
     }
-
-    /// Whether the facet covers the whole part.
-    fn is_inside(&self, plane: &Plane) -> bool {
-        self.corners().iter().all(|&[x, y]| plane.depth(x, y).is_some())
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Count, DepthBuffer};
+    use super::DepthBuffer;
     use crate::object::facet::{Facet, Placed, Plane, placed};
 
     /// Facets of all sizes, many of them large and many thin, in a box of side 2.
@@ -242,18 +201,15 @@ mod tests {
             assert_eq!(buffer.front, front);
             let mut hidden = 0;
             for facet in &facets {
-                let mut expected = Count::default();
+                let (mut covered, mut expected, mut found) = (0, 0, 0);
                 each(facet, samples, |row, column, depth| {
-                    expected.covered += 1;
+                    covered += 1;
                     let front = front[row * samples + column];
-                    expected.seen += usize::from(depth + facet.contact >= front);
+                    expected += usize::from(depth + facet.contact >= front);
                 });
-                assert_eq!(buffer.count(facet, usize::MAX), expected);
-                let enough = buffer.count(facet, 4);
-                assert_eq!(enough.seen, expected.seen);
-                assert!(enough.covered >= expected.covered.min(4));
-                assert!(expected.seen == 0 || enough == expected);
-                hidden += usize::from(expected.seen == 0 && expected.covered > 0);
+                buffer.visit_seen(facet, |_, _| found += 1);
+                assert_eq!(found, expected);
+                hidden += usize::from(expected == 0 && covered > 0);
             }
             assert!(samples < 100 || hidden > 50, "{hidden} of {samples} samples across");
         }

@@ -46,11 +46,8 @@ pub const CONTACT: f64 = 1e-6;
 pub struct Placed {
     /// x and y in samples, z in the mesh's unit above its smallest z.
     corners: [[f64; 3]; 3],
-    pub(super) faces_camera: bool,
     /// How far along z a surface in contact may be.
     pub(super) contact: f64,
-    /// How far along z a surface may be at the width of a sample from the plane.
-    pub(super) sample_in_front: f64,
 }
 
 /// A frame of `samples` x `samples` points over the box around the projection of the facets.
@@ -108,42 +105,13 @@ impl Frame {
         };
         Placed {
             corners: facet.corners.map(place),
-            faces_camera: facet.projected_area > 0.0,
             // The extents along z of distances from the plane; infinite if seen edge on.
             contact: CONTACT * longer.max(deep) / cosine,
-            sample_in_front: longer / self.samples as f64 / cosine,
         }
     }
 }
 
 impl Placed {
-    /// The number of parts into which each edge is cut for the facet's own points: 1, 2 or 4.
-    pub(super) fn parts(&self) -> usize {
-        let longest = [0, 1].map(|axis| self.range(axis)).map(|[low, high]| high - low);
-        match longest[0].max(longest[1]) {
-            ..=2.0 => 1,
-            ..=4.0 => 2,
-            _ => 4,
-        }
-    }
-
-    /// The centroids of the equal parts of the facet, with `parts` along each edge.
-    pub(super) fn centroids(&self, parts: usize) -> Vec<[f64; 3]> {
-        let [a, b, c] = self.corners;
-        let mut points = Vec::new();
-        // In thirds of a part: the centroids of upright parts are at 1, 1, those of inverted parts
-        // at 2, 2.
-        for (i, j, third) in (0..parts)
-            .flat_map(|i| (0..parts - i).map(move |j| (i, j)))
-            .flat_map(|(i, j)| [(i, j, 1), (i, j, 2)])
-            .filter(|(i, j, third)| i + j + third <= parts)
-        {
-            let [u, v] = [i, j].map(|k| (3 * k + third) as f64 / (3 * parts) as f64);
-            points.push([0, 1, 2].map(|k| a[k] + u * (b[k] - a[k]) + v * (c[k] - a[k])));
-        }
-        points
-    }
-
     /// The rows and columns, out of `samples`, that the facet may cover.
     #[must_use]
     pub fn ranges(&self, samples: usize) -> [Range<usize>; 2] {

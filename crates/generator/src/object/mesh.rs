@@ -1,33 +1,10 @@
-//! Meshes (.obj, .stl, .ply): the normals of the parts of their facets that the camera sees.
+//! Meshes (.obj, .stl, .ply): their triangles and their surface.
 
 use crate::object::mesh_data::Mesh;
 use crate::object::surface::{Surface, View};
-use crate::object::visibility::seen_shares;
 use crate::object::{mesh_obj, mesh_ply, mesh_stl};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
-
-/// Samples across and down the picture that determines visibility: 8 MiB.
-const SAMPLES: usize = 1024;
-
-/// The normal of each facet that the camera sees in orthographic view, x right, y up, z toward the
-/// camera, weighted by the projected area of its visible part.
-///
-/// Parts hidden by other facets do not count, to the accuracy of [`seen_shares`] with 1024 x 1024
-/// samples. The facets of a convex object count with their exact areas. Corners run
-/// counterclockwise as seen from outside. A facet that faces away hides what is behind it and does
-/// not count itself. Normals are the facets' own: those at corners (`vn`; `nx`, `ny`, `nz`) are not
-/// used. Facets without area are left out.
-///
-/// # Errors
-///
-/// If the file is broken or does not match its header, a corner does not exist or is not finite, a
-/// face has fewer than three corners or is not covered by a fan of triangles, most of what the
-/// camera sees faces away, or there are more than 2²² corners or triangles.
-pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
-    let file = file.into();
-    seen(&file).map_err(|error| error.in_file(file.path()))
-}
 
 /// The triangles in a file, and what it states at their corners.
 ///
@@ -43,22 +20,16 @@ pub fn load(file: &InputFile) -> Result<Mesh> {
     }
 }
 
-/// The surface of the mesh in a file.
+/// The surface of the mesh in a file. Corners run counterclockwise as seen from outside.
 ///
 /// # Errors
 ///
-/// Those of [`read`].
+/// Those of [`load`]; if a corner does not exist or is not finite, or most of what the camera sees
+/// faces away.
 pub fn surface(file: &InputFile, view: &View) -> Result<Surface> {
     let surface = Surface::new(file, &load(file)?, view)?;
     surface.check_front()?;
     Ok(surface)
-}
-
-fn seen(file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
-    let facets = surface(file, &View { is_flat: true, ..View::default() })?.facets;
-    let shares = seen_shares(&facets, SAMPLES);
-    let seen = facets.iter().zip(shares).filter(|(_, share)| *share > 0.0);
-    Ok(seen.map(|(facet, share)| (facet.normal, share * facet.projected_area)).collect())
 }
 
 #[cfg(test)]

@@ -5,35 +5,10 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::visible;
 use std::ops::RangeInclusive;
-use std::path::Path;
 
 /// Allowed lengths of a normal's vector: the length is 1 up to rounding and filtering, and √3 for
 /// black and for white.
 pub const LENGTHS: RangeInclusive<f64> = 0.5..=1.5;
-
-/// The normal of each pixel that counts, all with the same weight: in orthographic view each pixel
-/// is an equal piece of projected area.
-///
-/// Pixels without a normal, see [`normals`], and pixels that are black in the mask do not count.
-///
-/// # Errors
-///
-/// If a file is not a PNG or is broken, the mask has another size, or a pixel that counts points
-/// away from the camera.
-pub fn read(file: impl Into<InputFile>, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
-    let file = file.into();
-    let map = load(&file, false)?;
-    let mask = match mask {
-        Some(mask) => mask_of(file.other(mask), [map.width, map.height])?,
-        None => vec![true; map.width * map.height],
-    };
-    let seen = each(&map, &mask)
-        .zip(&mask)
-        .filter(|(_, counts)| **counts)
-        .filter_map(|(normal, _)| normal.transpose())
-        .map(|normal| normal.map_err(|error| error.in_file(file.path())));
-    seen.map(|normal| normal.map(|normal| (normal, 1.0))).collect()
-}
 
 /// Reads the samples of a normal map, with green upside down if it points down in the file.
 ///
@@ -244,15 +219,4 @@ fn vector(color: [u16; 3], full: u16) -> [f64; 3] {
 
 fn length(vector: [f64; 3]) -> f64 {
     vector.iter().map(|c| c * c).sum::<f64>().sqrt()
-}
-
-/// Whether each pixel counts, which is where the mask is not black.
-fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
-    let mask = png_samples::read(file.clone())?;
-    if (mask.width, mask.height) != (width, height) {
-        let (w, h) = (mask.width, mask.height);
-        let what = format!("the mask is {w} x {h}, the normal map {width} x {height}");
-        return Err(Error::new(what, "give both the same size").in_file(file.path()));
-    }
-    Ok(mask.colors.iter().map(|color| color.iter().any(|&c| c > 0)).collect())
 }

@@ -53,7 +53,7 @@ impl Picture {
     ///
     /// # Errors
     ///
-    /// Those of [`mesh::read`]; if no facet faces the camera or all are thinner than a sample, or
+    /// Those of [`mesh::surface`]; if no facet faces the camera or all are thinner than a sample, or
     /// the size is not 2 to 4096.
     pub fn of_mesh(file: impl Into<InputFile>, size: usize, view: &View) -> Result<Self> {
         let file = file.into();
@@ -86,14 +86,13 @@ impl Picture {
     }
 
     /// The picture of a normal map: see [`normal_map::load`] and [`normal_map::normals`]. Opacity is
-    /// coverage. With a
-    /// `size`, the map shrinks until its longer side has that many pixels; each pixel is the mean
-    /// of those that it replaces.
+    /// coverage. With a `size`, the map shrinks until its longer side has that many pixels; each
+    /// pixel is the mean of those that it replaces.
     ///
     /// # Errors
     ///
-    /// Those of [`normal_map::read`]; if the size is larger than the map or 0, or no pixel shows an
-    /// object.
+    /// Those of [`normal_map::load`] and [`normal_map::normals`]; if the size is larger than the map
+    /// or 0, or no pixel shows an object.
     pub fn of_map(
         file: impl Into<InputFile>,
         size: Option<usize>,

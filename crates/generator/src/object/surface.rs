@@ -1,10 +1,10 @@
 //! The facets of a mesh as a camera sees them: turned, in a unit of their own, with normals at their
 //! corners.
 
-use crate::object::facet::Facet;
+use crate::object::depth_buffer::DepthBuffer;
+use crate::object::facet::{Facet, Frame};
 use crate::object::mesh_data::{Mesh, broken};
 use crate::object::smooth::corner_normals;
-use crate::object::visibility::faces_away;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::vector::{cross, dot};
@@ -155,4 +155,23 @@ impl Surface {
         }
         Ok(())
     }
+}
+
+/// Samples across and down for [`faces_away`].
+const COARSE: usize = 128;
+
+/// Whether most of what the camera at +z meets first faces away from it: more than three fifths, so
+/// that half does not depend on where samples fall.
+fn faces_away(facets: &[Facet]) -> bool {
+    let frame = Frame::new(facets, COARSE);
+    let mut buffer = DepthBuffer::new(COARSE);
+    for facet in facets {
+        buffer.draw(&frame.place(facet));
+    }
+    let mut is_shown = vec![false; COARSE * COARSE];
+    for facet in facets.iter().filter(|facet| facet.projected_area > 0.0) {
+        buffer.visit_seen(&frame.place(facet), |place, _| is_shown[place] = true);
+    }
+    let shown = is_shown.iter().filter(|is_shown| **is_shown).count();
+    5 * shown < 2 * buffer.covered()
 }

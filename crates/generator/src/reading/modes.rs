@@ -41,19 +41,6 @@ impl ModeCoefficients {
 pub fn least_norm(table: &Table, d: &[f64]) -> ModeCoefficients {
     let (degree, order) = (table.gram.degree, table.gram.order);
     let mut c = ModeCoefficients::zeros(degree, order);
-    let of_span;
-    let d = match &table.general {
-        Some(general) => {
-            let rows = general.modes.chunks_exact(table.components.len());
-            let mut sums = vec![0.0; table.components.len()];
-            for (row, d) in rows.zip(d) {
-                sums.iter_mut().zip(row).for_each(|(sum, u)| *sum += d * u);
-            }
-            of_span = sums;
-            of_span.as_slice()
-        }
-        None => d,
-    };
     for (component, d) in table.components.iter().zip(d) {
         let profile = &table.profiles[component.profile];
         let modes = eigenshade_table::mode::indices(degree, order, profile.azimuth);

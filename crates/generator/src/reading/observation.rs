@@ -137,31 +137,11 @@ impl<'a> EigenimageValues<'a> {
     /// Writes U_i of every component, then the mean image (0 if the table has none), at a unit
     /// normal with z >= 0. `values` must have room for the components and the mean.
     ///
-    /// U_i = u_i(α) Φ_m(β), or a sum of such products if the table's components form a span; this
-    /// costs K more multiplications for each function of the span.
-    ///
-    /// Error: the scene's `profile_tolerance` relative to the largest value of each profile, times
-    /// the sizes of the terms in the sum.
-    pub fn at(&self, normal: [f64; 3], values: &mut [f64]) {
+    /// U_i = u_i(α) Φ_m(β). Error: the scene's `profile_tolerance` relative to the largest value of
+    /// each profile.
+    pub fn at(&self, [x, y, z]: [f64; 3], values: &mut [f64]) {
         let table = self.table;
         let (values, mean) = values.split_at_mut(self.components.min(values.len()));
-        let of_mean = if let Some(general) = &table.general {
-            let mut span = vec![0.0; table.components.len()];
-            self.products(normal, &mut span);
-            let sum = |row: &[f64]| row.iter().zip(&span).map(|(a, value)| a * value).sum::<f64>();
-            let rows = general.synthesis.chunks_exact(span.len());
-            values.iter_mut().zip(rows).for_each(|(value, row)| *value = sum(row));
-            sum(&general.mean)
-        } else {
-            self.products(normal, values);
-            table.mean.as_ref().map_or(0.0, |mean| profile::evaluate(&mean.chebyshev, normal[2]))
-        };
-        mean.iter_mut().take(1).for_each(|mean| *mean = of_mean);
-    }
-
-    /// u(α) Φ_m(β) of the table's first products.
-    fn products(&self, [x, y, z]: [f64; 3], values: &mut [f64]) {
-        let table = self.table;
         let mut previous = None;
         for (value, component) in values.iter_mut().zip(&table.components) {
             // +m and -m are adjacent and share h.
@@ -172,6 +152,9 @@ impl<'a> EigenimageValues<'a> {
             previous = Some((component.profile, h));
             *value = h * azimuth(component.order, x, y);
         }
+        let of_mean = table.mean.as_ref();
+        let of_mean = of_mean.map_or(0.0, |mean| profile::evaluate(&mean.chebyshev, z));
+        mean.iter_mut().take(1).for_each(|mean| *mean = of_mean);
     }
 }
 

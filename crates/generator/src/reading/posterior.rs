@@ -15,7 +15,7 @@
 use super::linear::{Reduction, decompose};
 use super::observation::Observation;
 use super::transfer::Transfers;
-use crate::basis::moments::{LightStatistics, MaterialMoments};
+use crate::basis::moments::{LightMoments, MaterialMoments};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, light};
@@ -43,7 +43,7 @@ pub struct Prior {
 }
 
 impl Prior {
-    /// The prior for these materials under light with these statistics.
+    /// The prior for these materials under light with these moments.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl Prior {
     pub fn new(
         table: &Table,
         transfers: &Transfers,
-        light: &LightStatistics,
+        light: &LightMoments,
         materials: MaterialMoments,
     ) -> Result<Self> {
         if materials.vectors.is_empty() {
@@ -76,11 +76,8 @@ impl Prior {
         let singular = svd.S().column_vector();
         let factor =
             Mat::from_fn(components, singular.nrows(), |i, j| svd.V()[(i, j)] * singular[j]);
-        let mut mean = match (&table.general, &table.mean) {
-            (Some(general), _) => general.mean_coefficients.clone(),
-            (None, Some(mean)) => mean.coefficients.clone(),
-            (None, None) => Vec::new(),
-        };
+        let mean = table.mean.as_ref();
+        let mut mean = mean.map_or_else(Vec::new, |mean| mean.coefficients.clone());
         mean.resize(components, 0.0);
         let left = table.energy_left(components);
         Ok(Self { factor, mean, left, criterion, light, materials })
@@ -131,18 +128,24 @@ pub struct LightPrior {
 }
 
 impl LightPrior {
-    /// Extends or truncates these statistics to `degree`; missing coefficients are zero.
+    /// The prior of light that turns freely, (37)-(39), to `degree`; beyond that of the moments, the
+    /// coefficients are zero.
     #[must_use]
-    pub fn new(statistics: &LightStatistics, degree: usize) -> Self {
-        let count = light::count(degree);
-        let at = |vector: &[f64], place: usize| vector.get(place).copied().unwrap_or(0.0);
-        let matrix = |vectors: &[Vec<f64>]| {
-            Mat::from_fn(count, vectors.len(), |place, t| at(&vectors[t], place))
+    pub fn new(moments: &LightMoments, degree: usize) -> Self {
+        let root = |(l, _): (usize, isize)| moments.power.get(l).map_or(0.0, |power| power.sqrt());
+        let roots: Vec<f64> = light::indices(degree).map(root).collect();
+        let count = roots.len();
+        let diagonal = |ambient: f64| {
+            Mat::from_fn(count, count, |place, t| match (place, t) {
+                (0, 0) => ambient,
+                _ if place == t => roots[place],
+                _ => 0.0,
+            })
         };
         Self {
-            mean: Col::from_fn(count, |place| at(&statistics.mean, place)),
-            second: matrix(&statistics.second),
-            centered: matrix(&statistics.centered),
+            mean: Col::from_fn(count, |place| if place == 0 { moments.ambient_mean } else { 0.0 }),
+            second: diagonal(roots[0]),
+            centered: diagonal(moments.ambient_variance.sqrt()),
         }
     }
 

@@ -8,11 +8,8 @@ use faer::Mat;
 pub struct Transfers {
     degree: usize,
     order: usize,
-    /// Order m of each component and the index of its row in `rows`; if components are sums over a
-    /// span, the same for each function of the span.
+    /// Order m of each component and the index of its row in `rows`.
     components: Vec<(i32, usize)>,
-    /// Maps the functions of the span to d, if components are sums over a span.
-    projection: Option<Mat<f64>>,
     /// For each profile its row of UᵀM: l, the position of (o, p, q), and the value.
     rows: Vec<Vec<(usize, usize, f64)>>,
 }
@@ -21,18 +18,11 @@ impl Transfers {
     /// Uses the first `components` components of the table, or all if it has fewer.
     #[must_use]
     pub fn new(table: &Table, components: usize) -> Self {
-        let span = table.components.len();
-        let count = components.min(table.count());
-        let projection = table
-            .general
-            .as_ref()
-            .map(|general| Mat::from_fn(count, span, |i, k| general.projection[i * span + k]));
-        let taken = &table.components[..if projection.is_some() { span } else { count }];
+        let taken = table.components.iter().take(components);
         Self {
             degree: table.gram.degree,
             order: table.gram.order,
-            projection,
-            components: taken.iter().map(|one| (one.order, one.profile)).collect(),
+            components: taken.map(|one| (one.order, one.profile)).collect(),
             rows: table.profiles.iter().map(|profile| placed(table, profile)).collect(),
         }
     }
@@ -52,7 +42,7 @@ impl Transfers {
     /// Number of components.
     #[must_use]
     pub fn components(&self) -> usize {
-        self.projection.as_ref().map_or(self.components.len(), Mat::nrows)
+        self.components.len()
     }
 
     /// T_i,lm = Σ_opq (UᵀM)_i,lmopq b_op^q, with one row for each component and one column for each
@@ -77,10 +67,7 @@ impl Transfers {
                 transfer[(i, light::position(l, m as isize))] = sign(m) * by_profile[profile][l];
             }
         }
-        match &self.projection {
-            Some(projection) => projection * transfer,
-            None => transfer,
-        }
+        transfer
     }
 }
 

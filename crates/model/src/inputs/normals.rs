@@ -17,28 +17,12 @@ pub const RIM: f64 = 1e-3;
 /// If the file cannot be read or contains no normal, or if a row is ragged, not finite, of length
 /// zero, or points away from the camera.
 pub fn read_normals(file: impl Into<InputFile>) -> Result<Vec<[f64; 3]>> {
-    Ok(read_weighted_normals(file)?.into_iter().map(|(normal, _)| normal).collect())
-}
-
-/// Like [`read_normals`], and also returns the weights in the column `weight`, or 1 if there is no
-/// such column.
-///
-/// # Errors
-///
-/// As [`read_normals`], and if a weight is negative or not finite.
-pub fn read_weighted_normals(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     let sheet = Sheet::read(file, "x,y,z")?;
     let columns = sheet.columns(["x", "y", "z"]).ok_or_else(|| sheet.wrong_header("`x,y,z`"))?;
-    let weight = sheet.column("weight");
     let mut normals = Vec::with_capacity(sheet.rows().len());
     for row in sheet.rows() {
-        let normal =
-            visible(row.numbers(columns)?).map_err(|(what, remedy)| row.fault(what, remedy))?;
-        let weight = weight.map_or(Ok(1.0), |column| row.number(column))?;
-        if weight < 0.0 {
-            return Err(row.fault(format!("weight {weight} is negative"), "give it zero or more"));
-        }
-        normals.push((normal, weight));
+        let normal = visible(row.numbers(columns)?);
+        normals.push(normal.map_err(|(what, remedy)| row.fault(what, remedy))?);
     }
     if normals.is_empty() {
         return Err(sheet.fault("it contains no normal", "add rows below the header `x,y,z`"));

@@ -49,7 +49,7 @@ pub fn spheres(out: &Path, table: &Path) -> Result<()> {
         materials.push(Named { name: format!("{roughness}"), rgb });
     }
     let basis = OwnedBasis::new(&table)?;
-    let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
+    let mut shader = Shader::new(basis.basis().map_err(fault)?, table.count());
     let view = SphereView::new(SIZE);
     let normals = OwnedNormals::new(&view.normals);
     let (width, height) = (across(MATERIALS.len()), across(LIGHTS.len()));

@@ -8,7 +8,6 @@ use eigenshade_table::scene::Normalize;
 use eigenshade_testing::fixtures::{self, lights, materials, named};
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
-use eigenshade_testing::pictures::{apart, eigenvalues};
 
 const DEGREE: usize = 6;
 const ORDER: usize = 5;
@@ -132,4 +131,18 @@ pub(super) fn rank_one() -> Vec<Figure> {
         most("its eigenvalue, relative", off, tolerances::SMALL_VARIANCE),
         most("images, of the peak", error, tolerances::ALL_COMPONENTS_FEW),
     ]
+}
+
+/// The eigenvalues of a table, without the constant.
+fn eigenvalues(table: &Table) -> Vec<f64> {
+    table.spectrum.iter().filter_map(|(_, value)| *value).collect()
+}
+
+/// The largest difference between two lists of eigenvalues, relative to the largest eigenvalue.
+/// Missing values count as 0.
+fn apart(found: &[f64], expected: &[f64]) -> f64 {
+    let count = found.len().max(expected.len());
+    let at = |values: &[f64], k: usize| values.get(k).copied().unwrap_or(0.0);
+    let apart = largest((0..count).map(|k| at(found, k) - at(expected, k)));
+    if apart == 0.0 { 0.0 } else { apart / at(expected, 0).max(at(found, 0)) }
 }

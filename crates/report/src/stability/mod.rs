@@ -75,8 +75,6 @@ const CASES: &[Case] = &[
     ("a covariance of rank one", databases::rank_one),
     ("a sun in a map", inputs::sun_in_a_map),
     ("maps of 2 x 1 and 8192 x 4096", inputs::map_sizes),
-    ("flat objects", objects::flat),
-    ("weights over twelve decades", objects::weights),
     ("degenerate triangles", objects::degenerate),
     ("coefficients at 1e-30 and 1e+30, f64", ranges::double),
     ("coefficients at 1e-30 and 1e+30, f32", ranges::single),

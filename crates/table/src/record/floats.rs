@@ -1,4 +1,4 @@
-//! The records of a basis in floats and of eigenimages over a span.
+//! The record of a basis in floats.
 
 use super::{Azimuth, Item, NONE, Word, item, record};
 use crate::layout;
@@ -39,22 +39,6 @@ record! {
         /// For each profile, its polynomial in t = 2z - 1 and u = 2t² - 1, times √2 if m is not 0:
         /// the factors of ..., tu, u, t, 1.
         terms: [S],
-    }
-}
-
-record! {
-    /// The arrays of a general basis. Matrices are stored row by row, with a row for each
-    /// eigenimage and a column for each component of the span.
-    "eigenshade::wire::GeneralParts" GeneralParts OwnedGeneralParts
-    sizes {
-        /// Number of eigenimages K.
-        components: usize,
-    }
-    arrays {
-        /// The matrix P from coordinates in the span to d.
-        projection: [S],
-        /// The coordinates of each eigenimage in the span.
-        synthesis: [S],
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Constants, line, words};
 use crate::layout;
-use crate::record::floats::{GeneralParts, Parts};
+use crate::record::floats::Parts;
 use crate::record::{NONE, ProfilePlace, Row};
 use alloc::format;
 use alloc::string::String;
@@ -11,21 +11,13 @@ use alloc::vec::Vec;
 /// The body of a module with the numbers of a table that projects. `command` is what made it, for
 /// the first line.
 #[must_use]
-pub fn module(parts: &Parts<'_, f32>, general: &GeneralParts<'_, f32>, command: &str) -> String {
-    let has_images = general.components > 0;
+pub fn module(parts: &Parts<'_, f32>, command: &str) -> String {
     let mut constants = Constants::default();
     constants.add("PARTS", Parts::<f32>::PATH, |to| parts.visit(to));
-    if has_images {
-        constants.add("GENERAL", GeneralParts::<f32>::PATH, |to| general.visit(to));
-    }
     let mut text = constants.headed(command);
-    if has_images {
-        line(&mut text, format_args!("eigenshade::table!(general);"));
-    } else {
-        line(&mut text, format_args!("eigenshade::table!({});", sphere(parts)));
-        line(&mut text, format_args!("eigenshade::table!(project {});", project(parts)));
-        line(&mut text, format_args!("eigenshade::table!(collapse {});", collapse(parts)));
-    }
+    line(&mut text, format_args!("eigenshade::table!({});", sphere(parts)));
+    line(&mut text, format_args!("eigenshade::table!(project {});", project(parts)));
+    line(&mut text, format_args!("eigenshade::table!(collapse {});", collapse(parts)));
     line(&mut text, format_args!("eigenshade::table!(shade {});", shade(parts)));
     text
 }

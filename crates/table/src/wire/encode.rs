@@ -29,20 +29,17 @@ pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec
             let parts = quantize::integers(table, quantize::TOLERANCE)?;
             let mut sections = Sections { endian, sections: Vec::new() };
             parts.borrow().visit(&mut sections);
-            let shape = [parts.degree, parts.order, parts.components, 0];
-            sections.file(format, shape)
+            sections.file(format, [parts.degree, parts.order, parts.components])
         }
     }
 }
 
 fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, FormatError> {
     parts::check(table)?;
-    let (parts, general) = (parts::floats(table), parts::general(table));
+    let parts = parts::floats(table);
     let mut sections = Sections { endian, sections: Vec::new() };
     parts.convert(|&number| number as f32).borrow().visit(&mut sections);
-    general.convert(|&number| number as f32).borrow().visit(&mut sections);
-    let shape = [parts.degree, parts.order, parts.components, general.components];
-    sections.file(NumberFormat::F32, shape)
+    sections.file(NumberFormat::F32, [parts.degree, parts.order, parts.components])
 }
 
 /// The sections of a file.
@@ -61,7 +58,7 @@ impl Visitor for Sections {
 
 impl Sections {
     /// The whole file: header, entries, sections up to the last that is not empty, checksum.
-    fn file(self, format: NumberFormat, shape: [usize; 4]) -> Result<Vec<u8>, FormatError> {
+    fn file(self, format: NumberFormat, shape: [usize; 3]) -> Result<Vec<u8>, FormatError> {
         let Self { endian, mut sections } = self;
         let last = sections.iter().rposition(|section| !section.bytes.is_empty());
         sections.truncate(last.map_or(0, |last| last + 1));
@@ -75,7 +72,6 @@ impl Sections {
         file.short(format.number());
         file.long(long(start + padded + CHECKSUM)?);
         shape.into_iter().chain([sections.len()]).for_each(|number| file.short(short(number)));
-        file.short(0);
         let mut next = start;
         for section in &sections {
             file.long(long(next)?);

@@ -23,11 +23,6 @@ pub enum Fault {
         /// The number of the format in the file; see [`NumberFormat::of`].
         found: u16,
     },
-    /// A table of eigenimages over a span was read as one that only has components, or vice versa.
-    Images {
-        /// Number of eigenimages that the table has over its span.
-        found: usize,
-    },
     /// There are fewer bytes than the file should have.
     Length {
         /// Number of bytes that the file should have.
@@ -94,14 +89,6 @@ impl fmt::Display for Fault {
                      {expected}, or read it as what it is"
                 )
             }
-            Self::Images { found: 0 } => f.write_str(
-                "eigenimages over a span expected, none found; read it with Basis::from_bytes",
-            ),
-            Self::Images { found } => write!(
-                f,
-                "components alone expected, {found} eigenimages over them found; read it with \
-                 GeneralBasis::from_bytes"
-            ),
             Self::Length { expected, found } => write!(
                 f,
                 "wire file: {expected} bytes expected, {found} found; take all of the file"

@@ -7,20 +7,16 @@ use crate::layout::{MAX_DEGREE, MAX_ORDER};
 use crate::record::{Item, Q15, Reader, floats, integers};
 use zerocopy::{IntoBytes, TryFromBytes};
 
-/// Reads the records of a table in `f32` from the file at the start of these bytes: its basis, and
-/// its eigenimages over that basis, of which there may be none.
+/// Reads the record of a table in `f32` from the file at the start of these bytes.
 ///
 /// # Errors
 ///
 /// A [`Fault`] for any bytes that are not such a file. What the arrays hold is not checked.
-pub fn read_floats(
-    bytes: &[u8],
-) -> Result<(floats::Parts<'_, f32>, floats::GeneralParts<'_, f32>), Fault> {
+pub fn read_floats(bytes: &[u8]) -> Result<floats::Parts<'_, f32>, Fault> {
     let mut file = File::open(bytes, NumberFormat::F32)?;
     let parts = floats::Parts::read(file.header.shape(), &mut file)?;
-    let general = floats::GeneralParts::read((file.header.images,), &mut file)?;
     file.end()?;
-    Ok((parts, general))
+    Ok(parts)
 }
 
 /// Reads the record of a table in integers from the file at the start of these bytes.
@@ -30,9 +26,6 @@ pub fn read_floats(
 /// A [`Fault`] for any bytes that are not such a file. What the arrays hold is not checked.
 pub fn read_integers(bytes: &[u8]) -> Result<integers::Parts<'_, Q15>, Fault> {
     let mut file = File::open(bytes, NumberFormat::Q15)?;
-    if file.header.images != 0 {
-        return Err(Fault::Images { found: file.header.images });
-    }
     let parts = integers::Parts::read(file.header.shape(), &mut file)?;
     file.end()?;
     Ok(parts)
@@ -116,10 +109,8 @@ pub struct Header {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// Number of components; if there are eigenimages, the components of their span.
+    /// Number of components.
     pub components: usize,
-    /// Number of eigenimages over the span, or 0.
-    pub images: usize,
     /// Number of sections.
     pub sections: usize,
 }
@@ -165,7 +156,6 @@ impl Header {
             degree,
             order,
             components: size(place::COMPONENTS),
-            images: size(place::IMAGES),
             sections: size(place::SECTIONS),
         })
     }

@@ -22,13 +22,13 @@ pub const LABEL: [u8; 8] = *b"EIGSWIRE";
 pub const MARK: u32 = 0x0102_0304;
 
 /// The wire format version.
-pub const VERSION: u16 = 3;
+pub const VERSION: u16 = 4;
 
 /// The alignment in bytes of a file and of each of its sections.
 pub const ALIGNMENT: usize = 4;
 
-/// Size of the header in bytes: label, mark, version, format, length, shape, and two bytes of zero.
-pub const HEADER: usize = 32;
+/// Size of the header in bytes: label, mark, version, format, length, shape, number of sections.
+pub const HEADER: usize = 28;
 
 /// Size in bytes of a section's entry after the header: its start and its length.
 pub const ENTRY: usize = 8;
@@ -50,10 +50,8 @@ pub mod place {
     pub const DEGREE: usize = 20;
     /// u16: largest order o of the BRDF.
     pub const ORDER: usize = 22;
-    /// u16: number of components; of the span, if the file also has eigenimages.
+    /// u16: number of components.
     pub const COMPONENTS: usize = 24;
-    /// u16: number of eigenimages over the span; 0 if the components are the eigenimages.
-    pub const IMAGES: usize = 26;
     /// u16: number of sections.
-    pub const SECTIONS: usize = 28;
+    pub const SECTIONS: usize = 26;
 }

@@ -187,7 +187,7 @@ fn profiles(spectrum: Vec<(usize, f64)>, criterion: Criterion, allowed: f64) -> 
         })
         .collect();
     values.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-    let only: Vec<_> = values.iter().map(|(_, value)| (None, Some(*value))).collect();
+    let only: Vec<_> = values.iter().map(|(_, value)| (0, Some(*value))).collect();
     let count = Remaining::new(&only, 0.0).least(allowed);
     let most = values.iter().map(|(azimuth, _)| azimuth + 1).max().unwrap_or(1);
     let mut components = vec![0; most];

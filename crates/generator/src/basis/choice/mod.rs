@@ -14,7 +14,7 @@
 mod candidates;
 mod report;
 
-pub(crate) use report::Remaining;
+use report::Remaining;
 pub use report::{Choice, Reach, Share};
 
 use crate::basis::analysis::Analysis;
@@ -88,12 +88,7 @@ pub(crate) fn within(
         peak,
         reach,
         components: remaining.share(count, share),
-        terms: Some(Share {
-            kept: table.terms(),
-            of: most_terms,
-            leaves: share(lost),
-            one_less: None,
-        }),
+        terms: Share { kept: table.terms(), of: most_terms, leaves: share(lost), one_less: None },
         total: share(left[0] + (left[1].sqrt() + (leaves + lost).sqrt()).powi(2)),
     };
     if choice.total > tolerance * (1.0 + ROUNDING) {

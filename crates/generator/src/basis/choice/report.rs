@@ -22,10 +22,9 @@ pub struct Choice {
     pub reach: Reach,
     /// The number of components.
     pub components: Share,
-    /// Number of polynomial terms in a collapsed scene, with both signs of m included; `None` if
-    /// each polynomial is within the scene's `profile_tolerance` instead.
-    pub terms: Option<Share>,
-    /// Upper bound of the error. It excludes the polynomials if their terms were not chosen.
+    /// Number of polynomial terms in a collapsed scene, with both signs of m included.
+    pub terms: Share,
+    /// Upper bound of the error.
     pub total: f64,
 }
 
@@ -56,22 +55,6 @@ pub struct Share {
     pub one_less: Option<f64>,
 }
 
-impl Choice {
-    /// A choice of components alone, from the energies that remain after each number of components.
-    pub(crate) fn of_components(tolerance: f64, peak: f64, remaining: &Remaining) -> Self {
-        let count = remaining.least((tolerance * peak).powi(2));
-        let components = remaining.share(count, |energy| of_peak(energy, peak));
-        Self {
-            tolerance,
-            peak,
-            reach: Reach::AsAsked("they are chosen for spheres under light that turns freely"),
-            components,
-            terms: None,
-            total: components.leaves,
-        }
-    }
-}
-
 /// The root of an energy relative to the peak; 0 if the images are black.
 pub(super) fn of_peak(energy: f64, peak: f64) -> f64 {
     if peak > 0.0 { energy.sqrt() / peak } else { 0.0 }
@@ -100,11 +83,8 @@ impl fmt::Display for Choice {
             Reach::AsAsked(why) => writeln!(f, "degree and order as asked: {why}")?,
         }
         writeln!(f, "components {}", self.components)?;
-        match self.terms {
-            Some(terms) => write!(f, "polynomial terms {terms}\nin all")?,
-            None => write!(f, "polynomials within profile_tolerance; but for these")?,
-        }
-        write!(f, " at most {:.1e} of the peak, {:.1e} asked for", self.total, self.tolerance)
+        writeln!(f, "polynomial terms {}", self.terms)?;
+        write!(f, "in all at most {:.1e} of the peak, {:.1e} asked for", self.total, self.tolerance)
     }
 }
 
@@ -118,7 +98,7 @@ pub(crate) struct Remaining {
 
 impl Remaining {
     /// Computes the remaining energies of a spectrum and of the energy that a cut-off drops.
-    pub(crate) fn new(spectrum: &[(Option<i32>, Option<f64>)], dropped: f64) -> Self {
+    pub(crate) fn new(spectrum: &[(i32, Option<f64>)], dropped: f64) -> Self {
         let first = usize::from(spectrum.first().is_some_and(|(_, value)| value.is_none()));
         let values: Vec<f64> = spectrum.iter().filter_map(|(_, value)| *value).collect();
         // Sum from the smallest value, so that small values are not lost.
