@@ -2,7 +2,11 @@
 
 import csv
 import os
+import signal
 import subprocess
+import threading
+import time
+from pathlib import Path
 
 import eigenshade as es
 import numpy as np
@@ -87,3 +91,39 @@ def test_sources_add_highlights(sources):
     table, copper = es.Table("sphere"), es.Material.gltf("#b87333", metallic=1, roughness=0.3)
     sharp = table.render(es.lights.lobby, copper, 64, sources=sources)
     assert sharp[..., :3].max() > 1.2 * table.render(es.lights.lobby, copper, 64)[..., :3].max()
+
+
+SCENES = Path(__file__).parents[3] / "tests" / "scenes"
+
+
+def test_a_scene_becomes_the_programs_table(tmp_path):
+    file = tmp_path / "order.bin"
+    scene = SCENES / "order.toml"
+    subprocess.run([os.environ["EIGENSHADE"], "basis", "--scene", scene, "--out", file], check=True)
+    made, written = es.Table.make(scene), es.Table.load(file)
+    assert (made.eigenimages(NORMALS) == written.eigenimages(NORMALS)).all()
+    assert (made.projection == written.projection).all()
+
+
+def test_ctrl_c_ends_long_work_at_once():
+    threading.Timer(0.3, os.kill, [os.getpid(), signal.SIGINT]).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        es.Table.make(SCENES.parents[1] / "tables" / "pbr.toml")
+    assert time.monotonic() - start < 2
+
+
+def test_other_threads_run_during_long_work():
+    turns, is_done = 0, threading.Event()
+
+    def count():
+        nonlocal turns
+        while not is_done.wait(0.01):
+            turns += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    es.Table.make(SCENES / "order.toml")
+    is_done.set()
+    thread.join()
+    assert turns > 5
