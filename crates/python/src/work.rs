@@ -2,10 +2,11 @@
 
 use crate::arrays::{raised, refused};
 use eigenshade_cli::messages::spinner;
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
+use rayon::ThreadPoolBuilder;
 use std::ffi::CString;
 use std::path::Path;
 use std::sync::Mutex;
@@ -25,8 +26,14 @@ pub fn done<T: Send + 'static>(
 ) -> PyResult<T> {
     let (sender, receiver) = channel();
     thread::spawn(move || {
+        // On threads of its own: work that nobody waits for any more would hold up what comes next.
+        let pool = ThreadPoolBuilder::new().build();
+        let result = pool.map_or_else(
+            |_| Err(Error::new("no threads can be had", "end other programs")),
+            |pool| pool.install(work),
+        );
         // Nobody listens after Ctrl-C.
-        let _ = sender.send(work());
+        let _ = sender.send(result);
     });
     let receiver = Mutex::new(receiver);
     let progress = spinner(what);
