@@ -8,6 +8,7 @@ mod material;
 mod reading;
 mod shipped;
 mod table;
+mod table_arrays;
 mod work;
 
 use pyo3::prelude::*;

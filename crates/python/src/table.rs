@@ -4,9 +4,8 @@ use crate::arrays::{Numbers, normals, of_channels, of_matrices, of_rows, raised,
 use crate::light::Light;
 use crate::material::Material;
 use crate::reading::{self, Reading};
+use crate::table_arrays;
 use crate::work::{done, input_file};
-use eigenshade_cli::export::array::{Array, Values};
-use eigenshade_cli::export::table::arrays;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::table;
 use eigenshade_generator::basis::estimate::Estimate;
@@ -27,7 +26,7 @@ use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, ToPyArray as _};
 use pyo3::basic::CompareOp;
 use pyo3::prelude::*;
 use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// A table of eigenimages: U, M and what projects a light on a material, d = UᵀMc.
 ///
@@ -41,7 +40,6 @@ use std::sync::{Arc, OnceLock};
 pub struct Table {
     table: Arc<eigenshade_table::Table>,
     evaluator: Evaluator<Arc<eigenshade_table::Table>>,
-    arrays: OnceLock<Vec<Array>>,
 }
 
 #[pymethods]
@@ -217,45 +215,97 @@ impl Table {
 
     /// l, m, o, p and q of each mode: int64 (modes, 5).
     #[getter]
-    fn modes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.array(py, "modes")
+    fn modes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<i64>> {
+        table_arrays::modes(&self.table).into_pyarray(py)
     }
 
-    /// A with M = AᵀA, a row for each node of the quadrature in the slant: float64 (nodes, modes).
+    /// A, with a row for each node of the quadrature in the slant; M = AᵀA between modes of one m:
+    /// float64 (nodes, modes).
     #[getter]
-    fn gram_factor<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.array(py, "gram_factor")
+    fn gram_factor<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
+        table_arrays::gram_factor(&self.table).into_pyarray(py)
     }
 
     /// M of (23), the scalar products of the modes: float64 (modes, modes), 110 MB at degree 9 and
     /// order 7.
     #[getter]
     fn gram<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let factor = self.gram_factor(py)?;
+        let factor = self.gram_factor(py);
         let gram = factor.getattr("T")?.matmul(factor)?;
         // The factor has the slant alone, and modes of different m are orthogonal.
-        let columns = self.array(py, "modes")?.getattr("T")?.get_item(1)?;
+        let columns = self.modes(py).getattr("T")?.get_item(1)?;
         let rows = columns.call_method1("reshape", ((-1, 1),))?;
         gram.mul(rows.rich_compare(columns, CompareOp::Eq)?)
     }
 
+    /// cos α at the nodes: float64 (nodes,).
+    #[getter]
+    fn nodes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.table.gram.nodes.to_pyarray(py)
+    }
+
+    /// The square roots of the nodes' weights: float64 (nodes,).
+    #[getter]
+    fn root_weights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.table.gram.root_weights.to_pyarray(py)
+    }
+
+    /// e of (30), the mean of each mode: float64 (modes,).
+    #[getter]
+    fn mode_means<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        table_arrays::mode_means(&self.table).into_pyarray(py)
+    }
+
     /// U over modes: float64 (modes, K).
     #[getter]
-    fn mode_coefficients<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.array(py, "mode_coefficients")
+    fn mode_coefficients<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Ok(table_arrays::mode_coefficients(&self.table)?.into_pyarray(py))
     }
 
     /// UᵀM: float64 (K, modes).
     #[getter]
-    fn projection<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.array(py, "projection")
+    fn projection<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Ok(table_arrays::projection(&self.table)?.into_pyarray(py))
+    }
+
+    /// m of each component: int64 (K,).
+    #[getter]
+    fn component_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        let orders: Vec<i64> = self.table.components.iter().map(|one| one.order.into()).collect();
+        orders.into_pyarray(py)
+    }
+
+    /// The profiles √w u(α) of the components at the nodes: float64 (nodes, K).
+    #[getter]
+    fn profiles<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
+        table_arrays::by_component(&self.table, |profile| &profile.node_values).into_pyarray(py)
+    }
+
+    /// The Chebyshev coefficients of u / sin^|m| in 2 cos(α) - 1: float64 (terms, K).
+    #[getter]
+    fn series<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
+        table_arrays::by_component(&self.table, |profile| &profile.chebyshev).into_pyarray(py)
     }
 
     /// The eigenvalue of each component, (24): float64 (K,). NaN for the constant of an image-centered
     /// table.
     #[getter]
-    fn eigenvalues<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.array(py, "eigenvalues")
+    fn eigenvalues<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let values = self.table.components.iter().map(|one| one.eigenvalue.unwrap_or(f64::NAN));
+        values.collect::<Vec<_>>().into_pyarray(py)
+    }
+
+    /// The eigenvalues of all components, kept or not: float64 (n,).
+    #[getter]
+    fn spectrum<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let values = self.table.spectrum.iter().map(|one| one.1.unwrap_or(f64::NAN));
+        values.collect::<Vec<_>>().into_pyarray(py)
+    }
+
+    /// The mean energy of the images of the database about their mean.
+    #[getter]
+    fn energy(&self) -> f64 {
+        self.table.summary.energy
     }
 
     fn __repr__(&self) -> String {
@@ -268,7 +318,7 @@ impl Table {
     fn of(table: eigenshade_table::Table) -> Self {
         let table = Arc::new(table);
         let evaluator = Evaluator::new(Arc::clone(&table));
-        Self { table, evaluator, arrays: OnceLock::new() }
+        Self { table, evaluator }
     }
 
     /// The numbers of a material's channel up to the table's order.
@@ -303,7 +353,7 @@ impl Table {
         let mut of_material = material.entry.clone();
         of_material.rgb = of_material.rgb.map(|channel| self.shortened(&channel));
         let basis = OwnedBasis::new(&self.table)?;
-        let mut shader = Shader::new(basis.any().map_err(fault)?, self.components())
+        let mut shader = Shader::new(basis.basis().map_err(fault)?, self.components())
             .with_transfers(basis.transfers());
         let SphereView { pixels, normals, .. } = SphereView::new(size);
         let normals = OwnedNormals::new(&normals);
@@ -348,24 +398,5 @@ impl Table {
         let is_shining = gloss.needs_sources();
         let sources = light.sources.iter().take(most).copied().collect();
         Ok(is_shining.then_some((gloss, sources)))
-    }
-
-    fn array<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let all = match self.arrays.get() {
-            Some(all) => all,
-            None => {
-                let all = arrays(&self.table, None).map_err(raised)?;
-                self.arrays.get_or_init(|| all)
-            }
-        };
-        let array = all.iter().find(|array| array.name == name).ok_or_else(|| {
-            refused(format!("the table has no {name}"), "make it with store = \"modes\"")
-        })?;
-        let flat = match &array.values {
-            Values::Floats(values) => values.to_pyarray(py).into_any(),
-            Values::Integers(values) => values.to_pyarray(py).into_any(),
-            Values::Texts(values) => values.clone().into_pyobject(py)?,
-        };
-        flat.call_method1("reshape", (array.shape.clone(),))
     }
 }
