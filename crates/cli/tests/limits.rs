@@ -180,12 +180,3 @@ fn a_table_takes_what_was_estimated() {
     let output = folder.shell(&format!("ulimit -v {kibibytes}; exec '{PROGRAM}' {BASIS}"));
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
 }
-
-#[test]
-fn an_export_of_many_normals() {
-    let folder = Folder::new();
-    for inputs in ["", "-l lights.csv -m materials.csv"] {
-        let export = format!("export --lang npz {inputs} --normals sphere -s 4096 --out new.npz");
-        assert_fails(&folder, &export, &["numbers are too many to export"]);
-    }
-}

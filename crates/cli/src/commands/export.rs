@@ -1,11 +1,10 @@
-//! `eigenshade export`: writes lights, materials, tables and scenes for other programs.
+//! `eigenshade export`: writes lights, materials and tables for other programs.
 
-use super::options::{Destination, Green, TableChoice, count, input_file};
+use super::options::{Destination, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
-use eigenshade_cli::export::shown::Shown;
-use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
+use eigenshade_cli::export::{c, js, rust};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_model::database::{Lights, Materials, Named};
@@ -19,15 +18,13 @@ use eigenshade_table::quantize::{TOLERANCE, integers};
 use eigenshade_table::{FormatError, Table, statics};
 use std::path::{Path, PathBuf};
 
-/// Export lights, materials, tables and scenes to Rust, C, JavaScript or numpy
+/// Export lights, materials and tables to Rust, C or JavaScript
 ///
 /// With --light and --material, exports these, to the degree and order of the table, or a light to
-/// --degree; with both,
-/// npz also holds the scene: its coefficients in the table's eigenimages. With neither, exports the
-/// table.
+/// --degree. With neither, exports the table. For numpy there is a package for Python.
 #[derive(Args, Debug)]
 pub struct Export {
-    /// Language or file format
+    /// Language
     #[arg(long, value_enum)]
     lang: Lang,
     /// Light: the name of a shipped one, a light CSV, or one light of a CSV
@@ -50,21 +47,9 @@ pub struct Export {
     /// are the lights of rust, out of which the runtime takes the sources
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
-    /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
-    /// (.png) or a mesh (.obj, .stl, .ply, .glb, .gltf); for npz
-    #[arg(short, long, value_name = "NORMALS")]
-    normals: Option<PathBuf>,
-    /// Pixels across the longer side of --normals, 2 to 4096 [default: 64; all of a normal map]
-    #[arg(short, long, value_name = "N", value_parser = count(2, 4096), requires = "normals")]
-    size: Option<usize>,
-    #[command(flatten)]
-    green: Green,
     #[command(flatten)]
     out: Destination,
 }
-
-/// The most numbers in a file of arrays, in 2 GiB.
-const MOST_NUMBERS: usize = 1 << 28;
 
 /// What source files say made them.
 const COMMAND: &str = "eigenshade export";
@@ -77,8 +62,6 @@ enum Lang {
     C,
     /// A module of typed arrays
     Js,
-    /// Arrays in numpy's format
-    Npz,
 }
 
 impl Export {
@@ -86,8 +69,7 @@ impl Export {
         let [light, material] = [&self.light, &self.material].map(Option::as_ref);
         let mut inputs = light.map_or_else(Vec::new, Source::light_files);
         inputs.extend(material.into_iter().flat_map(Source::material_files));
-        let inputs = inputs.iter().map(PathBuf::as_path).chain(self.normals.as_deref());
-        let inputs = inputs.chain([self.table.path()]);
+        let inputs = inputs.iter().map(PathBuf::as_path).chain([self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         self.check()?;
         let table = self.table.read()?;
@@ -106,30 +88,15 @@ impl Export {
             (Some(degree), _) => lights.truncated(degree),
             (None, _) => of_table,
         };
-        let pairs = lights.entries.len() * materials.entries.len();
-        let read = |path| Shown::read(input_file(path), self.size, self.green.is_flipped);
-        let shown = self.normals.as_ref().map(read).transpose()?;
-        let normals = shown.as_ref().map_or(0, |shown| shown.normals.len());
-        if self.lang == Lang::Npz {
-            let count = match (light, material) {
-                (None, None) => of_table::size(&table, normals),
-                _ => scene::size(&table, pairs, normals),
-            };
-            if count > MOST_NUMBERS {
-                let what = format!("{count} numbers are too many to export");
-                let remedy = format!("export at most {MOST_NUMBERS}, of fewer normals or inputs");
-                return Err(Error::new(what, remedy).in_file(self.table.path()));
-            }
-        }
         if light.is_none() && material.is_none() {
-            let contents = self.table_contents(&table, shown.as_ref());
+            let contents = self.table_source(&table);
             let contents = contents.map_err(|error| error.in_file(self.table.path()))?;
             return output::write_all(self.out.path.as_deref(), contents);
         }
         let highlights = self.sources.map(|most| self.highlights(most, &lights, &materials));
         let highlights = highlights.transpose()?;
         let entries = (&lights, &materials, highlights.as_ref());
-        let contents = self.coefficients(&table, entries, shown.as_ref())?;
+        let contents = self.coefficients(entries)?;
         output::write_all(self.out.path.as_deref(), contents)?;
         let order = table.gram.order;
         let higher = material.and_then(|one| of_higher_order(one.named(), of_file.order, order));
@@ -139,21 +106,12 @@ impl Export {
 
     /// Whether the options go together.
     fn check(&self) -> Result<()> {
-        let has_images = self.light.is_none() == self.material.is_none();
         let fault = |what: &str, remedy: &str| Err(Error::new(what, remedy));
-        if self.normals.is_some() && !(self.lang == Lang::Npz && has_images) {
-            let what = "--normals adds eigenimages or images, which only tables and scenes have, \
-                        in npz";
-            return fault(what, "leave it out, or export a table, or a light with a material");
-        }
         if self.lang == Lang::C && self.degree.is_some() {
             let what = "the C library takes lights to the degree of its table";
-            return fault(what, "leave --degree out, or export it for rust, js or npz");
+            return fault(what, "leave --degree out, or export it for rust or js");
         }
         if let Some(most) = self.sources {
-            if self.lang == Lang::Npz {
-                return fault("npz has no sources and gloss", "leave --sources out");
-            }
             if self.light.is_none() && self.material.is_none() {
                 let what = "--sources adds sources to lights and gloss to materials";
                 return fault(what, "give --light or --material, or leave it out");
@@ -170,39 +128,29 @@ impl Export {
                 "the WebAssembly module takes floats and makes integers of them itself",
                 "leave --format out",
             ),
-            (Lang::Npz, Some(_)) => {
-                fault("npz holds the numbers as they are, in f64", "leave --format out")
-            }
             _ => Ok(()),
         }
     }
 
-    /// The file of a table.
-    fn table_contents(&self, table: &Table, shown: Option<&Shown>) -> Result<Vec<u8>> {
-        match self.lang {
-            Lang::Rust => self.table_source(table).map(String::into_bytes),
-            Lang::C => Err(Error::new(
+    /// The source of a table.
+    fn table_source(&self, table: &Table) -> Result<String> {
+        let fault = |error: FormatError| Error::of_line(error, "export it in f32");
+        match (self.lang, self.format.unwrap_or_default()) {
+            (Lang::Rust, Format::F32) => statics::floats(table, COMMAND).map_err(fault),
+            (Lang::Rust, Format::Q15) => {
+                let parts = integers(table, TOLERANCE).map_err(fault)?;
+                Ok(statics::integers(&parts, COMMAND))
+            }
+            (Lang::C, _) => Err(Error::new(
                 "a program in C takes no table: the C library itself is built for one",
                 "build the library for the scene of this table (crates/capi/README.md), and export \
                  lights and materials",
             )),
-            Lang::Js => Err(Error::new(
+            (Lang::Js, _) => Err(Error::new(
                 "a web page takes no table: the WebAssembly module itself is built for one",
                 "build the module for this table (crates/wasm/README.md), and export lights and \
                  materials",
             )),
-            Lang::Npz => npz::bytes(&of_table::arrays(table, shown)?),
-        }
-    }
-
-    fn table_source(&self, table: &Table) -> Result<String> {
-        let fault = |error: FormatError| Error::of_line(error, "export it in f32");
-        match self.format.unwrap_or_default() {
-            Format::F32 => statics::floats(table, COMMAND).map_err(fault),
-            Format::Q15 => {
-                let parts = integers(table, TOLERANCE).map_err(fault)?;
-                Ok(statics::integers(&parts, COMMAND))
-            }
         }
     }
 
@@ -236,10 +184,8 @@ impl Export {
     /// The file of lights, materials, or both; either may be empty.
     fn coefficients(
         &self,
-        table: &Table,
         (lights, materials, highlights): (&Lights, &Materials, Option<&SourcesAndGloss>),
-        shown: Option<&Shown>,
-    ) -> Result<Vec<u8>> {
+    ) -> Result<String> {
         let format = self.format.unwrap_or_default();
         // The runtime takes sources out of lights in floats.
         let in_floats = highlights.is_some() && matches!(self.lang, Lang::Rust);
@@ -247,25 +193,11 @@ impl Export {
         let formats = [of_lights, format];
         let entries = || entries(lights, materials, formats);
         let quoted = || quoted_entries(lights, materials, formats);
-        let source = match self.lang {
+        Ok(match self.lang {
             Lang::Rust => rust::module(&entries()?, highlights, COMMAND),
             Lang::C => c::header(&entries()?, highlights, COMMAND, &self.guard()),
             Lang::Js => js::module(&quoted()?, highlights, COMMAND),
-            Lang::Npz => {
-                let mut arrays = Vec::new();
-                if !lights.entries.is_empty() {
-                    arrays.extend(coefficients::of_lights(lights));
-                }
-                if !materials.entries.is_empty() {
-                    arrays.extend(coefficients::of_materials(materials));
-                }
-                if !lights.entries.is_empty() && !materials.entries.is_empty() {
-                    arrays.extend(scene::arrays(table, (lights, materials), shown)?);
-                }
-                return npz::bytes(&arrays);
-            }
-        };
-        Ok(source.into_bytes())
+        })
     }
 
     /// The macro against including a header twice: the name of its file.

@@ -1,17 +1,10 @@
-//! Lights, materials, tables and scenes for other programs: as source in Rust, C and JavaScript,
-//! and as arrays in numpy's npz.
+//! Lights, materials and tables for other programs, as source in Rust, C and JavaScript.
 
-pub mod array;
 pub mod c;
-pub mod coefficients;
 pub mod entry;
 pub mod highlights;
 pub mod js;
-pub mod npz;
 pub mod rust;
-pub mod scene;
-pub mod shown;
-pub mod table;
 
 use std::fmt::Display;
 

@@ -1,0 +1,28 @@
+//! The Python package `eigenshade`: light, materials and eigenimages as numpy arrays.
+//!
+//! Its classes are those of the host's crates; arrays are in f64 unless they state otherwise.
+
+mod arrays;
+mod light;
+mod material;
+mod reading;
+mod shipped;
+mod table;
+mod table_arrays;
+mod work;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _eigenshade {
+    #[pymodule_export]
+    use crate::light::Light;
+    #[pymodule_export]
+    use crate::material::Material;
+    #[pymodule_export]
+    use crate::reading::Reading;
+    #[pymodule_export]
+    use crate::shipped::{lights, materials};
+    #[pymodule_export]
+    use crate::table::Table;
+}

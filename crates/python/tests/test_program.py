@@ -1,0 +1,130 @@
+"""The package has the program's numbers. EIGENSHADE is the program."""
+
+import csv
+import os
+import signal
+import subprocess
+import threading
+import time
+from pathlib import Path
+
+import eigenshade as es
+import numpy as np
+import pytest
+
+LIGHT, MATERIAL = es.lights.park, es.materials.gold_metallic_paint
+
+
+def program(*arguments):
+    done = subprocess.run([os.environ["EIGENSHADE"], *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return list(csv.DictReader(line for line in done.stdout.splitlines() if not line.startswith("#")))
+
+
+def rgb(rows):
+    return np.array([[float(row[channel]) for row in rows] for channel in "rgb"])
+
+
+def test_projection_is_the_programs_bit_for_bit():
+    rows = program("project", "--table", "color", "-l", "park", "-m", "gold-metallic-paint")
+    assert (es.Table().project(LIGHT, MATERIAL) == rgb(rows)).all()
+
+
+def test_irradiance_is_the_programs_bit_for_bit(tmp_path):
+    assert (es.Table().shade(LIGHT, MATERIAL, NORMALS).T == shaded(tmp_path)).all()
+
+
+def test_a_turned_light_is_the_programs(tmp_path):
+    """The program turns by Rz Ry Rz."""
+    found = es.Table().shade(LIGHT.rotated(yaw=0.5), MATERIAL, NORMALS).T
+    assert np.abs(found - shaded(tmp_path, "--rotate", "0,0.5,0")).max() <= 1e-14 * np.abs(found).max()
+
+
+NORMALS = np.array([[0, 0, 1], [0.6, 0, 0.8], [-0.48, 0.64, 0.6]])
+
+
+def shaded(folder, *options):
+    """The program's irradiance of the normals in f64."""
+    file = folder / "normals.csv"
+    np.savetxt(file, NORMALS, delimiter=",", header="x,y,z", comments="")
+    pair = ["-l", LIGHT.name, "-m", MATERIAL.name]
+    way = ["--table", "color", "--method", "eigen", "--format", "f64", *options]
+    return rgb(program("shade", *pair, "-n", file, *way))
+
+
+def test_a_reading_is_the_programs(tmp_path):
+    table = es.Table("curet")
+    normals, inside = sphere(64)
+    seen = table.shade(es.lights.studio, es.materials["01-felt"], normals[inside])
+    reading = table.read(seen, normals[inside])
+    image, of_normals = tmp_path / "image.csv", tmp_path / "normals.csv"
+    for file, rows, header in [(image, seen, "r,g,b"), (of_normals, normals[inside], "x,y,z")]:
+        np.savetxt(file, rows, delimiter=",", header=header, comments="", fmt="%.17g")
+    rows = program("read", image, "-n", of_normals, "--table", "curet")
+    d = [row for row in rows if row["quantity"] == "d" and row["name"] == "posterior"]
+    assert np.allclose(reading.d, rgb(d), rtol=1e-9, atol=1e-9 * np.abs(reading.d).max())
+    names = [row["name"] for row in rows if row["quantity"] == "material-evidence"]
+    assert [name for name, _ in reading.materials] == names
+    assert reading.pixels == inside.sum()
+
+
+def sphere(size):
+    """The normals of the picture of a sphere, and where it is."""
+    place = (2 * np.arange(size) + 1 - size) / (size - 1)
+    x, y = np.meshgrid(place, -place)
+    inside = x**2 + y**2 < 1
+    z = np.sqrt(np.where(inside, 1 - x**2 - y**2, 0))
+    return np.stack([x, y, z], axis=-1), inside
+
+
+def test_a_picture_is_the_images_of_its_normals_in_f32():
+    picture = es.Table("sphere").render(LIGHT, MATERIAL, 64)
+    normals, inside = sphere(64)
+    expected = es.Table("sphere").shade(LIGHT, MATERIAL, normals[inside])
+    assert picture.dtype == np.float32
+    assert np.abs(picture[inside, :3] - expected).max() <= 2e-6 * expected.max()
+    assert (picture[..., 3] > 0)[inside].all() and picture[0, 0].tolist() == [0, 0, 0, 0]
+
+
+@pytest.mark.parametrize("sources", [1, 4])
+def test_sources_add_highlights(sources):
+    table, copper = es.Table("sphere"), es.Material.gltf("#b87333", metallic=1, roughness=0.3)
+    sharp = table.render(es.lights.lobby, copper, 64, sources=sources)
+    assert sharp[..., :3].max() > 1.2 * table.render(es.lights.lobby, copper, 64)[..., :3].max()
+
+
+SCENES = Path(__file__).parents[3] / "tests" / "scenes"
+
+
+def test_a_scene_becomes_the_programs_table(tmp_path):
+    file = tmp_path / "order.bin"
+    scene = SCENES / "order.toml"
+    subprocess.run([os.environ["EIGENSHADE"], "basis", "--scene", scene, "--out", file], check=True)
+    made, written = es.Table.make(scene), es.Table.load(file)
+    assert (made.eigenimages(NORMALS) == written.eigenimages(NORMALS)).all()
+    assert (made.projection == written.projection).all()
+
+
+def test_ctrl_c_ends_long_work_at_once():
+    threading.Timer(0.3, os.kill, [os.getpid(), signal.SIGINT]).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        es.Table.make(SCENES.parents[1] / "tables" / "pbr-32.toml")
+        time.sleep(5)  # The signal is late.
+    assert time.monotonic() - start < 2
+
+
+def test_other_threads_run_during_long_work():
+    turns, is_done = 0, threading.Event()
+
+    def count():
+        nonlocal turns
+        while not is_done.wait(0.01):
+            turns += 1
+
+    thread = threading.Thread(target=count, daemon=True)
+    thread.start()
+    es.Table.make(SCENES / "order.toml")
+    is_done.set()
+    thread.join()
+    assert turns > 5
