@@ -119,6 +119,12 @@ impl<'a> Samples<'a> {
         sampled().map_err(|error| error.in_file(file.path()))
     }
 
+    /// The surface of the object.
+    #[must_use]
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
     /// The texels of these rows, counted from the top.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Texels {

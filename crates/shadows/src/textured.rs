@@ -20,7 +20,7 @@ use eigenshade_asset::asset::Asset;
 use eigenshade_asset::texels::{Samples, Texels};
 use eigenshade_generator::material::brdf::Ggx;
 use eigenshade_generator::object::points::Point;
-use eigenshade_generator::object::surface::{Surface, View};
+use eigenshade_generator::object::surface::View;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -53,6 +53,8 @@ pub struct Textured {
     pub roughness: f32,
     /// The roughness that one twentieth of the area is below, and that one is above.
     pub roughnesses: [f32; 2],
+    /// Whether a material had an occlusion map.
+    pub has_occlusion: bool,
     /// How many times its parts reflect light to each other, [`BOUNCES`] unless changed.
     pub bounces: usize,
 }
@@ -85,15 +87,15 @@ impl Textured {
     /// # Errors
     ///
     /// If the size is not 2 to 512; and as [`Texels::of`].
-    pub fn new(file: &InputFile, asset: &Asset, size: usize, view: &View) -> Result<Self> {
+    pub fn new(file: &InputFile, mut asset: Asset, size: usize, view: &View) -> Result<Self> {
         if !(2..=MOST_SIDE).contains(&size) {
             let what = format!("an object with shadows {size} pixels wide");
             return Err(Error::new(what, format!("use 2 to {MOST_SIDE}")).in_file(file.path()));
         }
-        let mut asset = asset.clone();
-        asset.materials.iter_mut().for_each(|material| material.occlusion_map = None);
-        let surface = Surface::new(file, &asset.mesh, view)?;
-        let (texels, points) = Samples::new(file, &asset, size, view)?.with_points();
+        let occlusion = asset.materials.iter_mut().map(|one| one.occlusion_map.take());
+        let has_occlusion = occlusion.fold(false, |any, one| any | one.is_some());
+        let samples = Samples::new(file, &asset, size, view)?;
+        let (texels, points) = samples.with_points();
         let Texels { pixels, texels, shares, .. } = texels;
         let mut parts = texels.into_iter().zip(shares).zip(points);
         let part = |((texel, share), points): ((Texel, f32), Vec<Point>)| Part {
@@ -112,9 +114,10 @@ impl Textured {
                 .map(|one| ([one.column, one.row], (255.0 * one.coverage).round() as u8))
                 .collect(),
             texels,
-            occluders: Occluders::new(&surface.facets),
+            occluders: Occluders::new(&samples.surface().facets),
             roughness: 0.0,
             roughnesses: [0.0; 2],
+            has_occlusion,
             bounces: BOUNCES,
         };
         found.roughness = found.mean(|texel| texel.roughness.into()) as f32;

@@ -152,7 +152,7 @@ impl Render {
         #[cfg(feature = "generate")]
         if let Some((object, asset)) = self.own_materials()? {
             return if self.has_shadows {
-                self.run_own_shadowed(file, &object, &asset)
+                self.run_own_shadowed(file, &object, asset)
             } else {
                 self.run_own(file, &object, &asset)
             };

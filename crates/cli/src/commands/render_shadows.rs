@@ -49,7 +49,7 @@ impl Render {
         &self,
         picture: PictureFile,
         file: &InputFile,
-        asset: &Asset,
+        asset: Asset,
     ) -> Result<()> {
         let lights = self.harmonics(&self.inputs.light)?;
         let options = self.pose.options(self.size, self.green);
@@ -60,7 +60,7 @@ impl Render {
         let irradiances =
             object.irradiances(|direction| radiance(&lights, direction), &progress)?;
         self.write_shadowed(&picture, size, &object.pixels, |pixel| irradiances[pixel])?;
-        report(&lights, notes(asset, &object));
+        report(&lights, notes(&object));
         Ok(())
     }
 

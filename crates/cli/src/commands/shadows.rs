@@ -71,12 +71,12 @@ impl Packing<'_> {
     fn pack_own(&self, compression: Compression) -> Result<PackedObject> {
         let asset =
             Asset::read(self.file)?.ok_or_else(|| no_material().in_file(self.file.path()))?;
-        let object = Textured::new(self.file, &asset, self.size, &self.view)?;
+        let object = Textured::new(self.file, asset, self.size, &self.view)?;
         let progress = progress_bar("pixels with shadows", Object::steps(self.size));
         let transports = object.transports(self.degree, &progress)?;
         progress.finish_and_clear();
         let bytes = transports.packed(self.lights, self.turns, compression)?;
-        notes(&asset, &object).into_iter().for_each(print_message);
+        notes(&object).into_iter().for_each(print_message);
         let covered = object.pixels.len();
         let codes = self.codes.min(2 * covered);
         Ok(PackedObject { bytes, covered, codes, degree: self.degree })
@@ -87,7 +87,7 @@ impl Packing<'_> {
 const CLOSE: f32 = 0.15;
 
 /// How an object in its own materials is drawn with shadows.
-pub fn notes(asset: &Asset, object: &Textured) -> Vec<String> {
+pub fn notes(object: &Textured) -> Vec<String> {
     let roughness = (!object.is_of_one_roughness(CLOSE)).then(|| {
         let ([low, high], mean) = (object.roughnesses, object.roughness);
         format!(
@@ -95,9 +95,8 @@ pub fn notes(asset: &Asset, object: &Textured) -> Vec<String> {
              object have {low:.2} to {high:.2}"
         )
     });
-    let has_occlusion = asset.materials.iter().any(|one| one.occlusion_map.is_some());
     let occlusion = "occlusion maps are left out: shadows take their place";
-    roughness.into_iter().chain(has_occlusion.then(|| occlusion.to_owned())).collect()
+    roughness.into_iter().chain(object.has_occlusion.then(|| occlusion.to_owned())).collect()
 }
 
 impl PackedObject {

@@ -27,8 +27,12 @@ use std::f64::consts::{PI, TAU};
 
 const SIZE: usize = 24;
 
-/// Texels along each side of a picture.
-const TEXELS: u32 = 240;
+/// The plate is SIZE - 1 pixels wide. Its bands and its hole end between pixels.
+const ENDS: [f64; 2] = [7.5 / 23.0, 15.5 / 23.0];
+const HALF: f64 = 12.0 / 23.0;
+
+/// Texels along each side of a picture, ten in each pixel.
+const TEXELS: u32 = 230;
 
 /// Directions of the oracle, and samples along each side of a pixel.
 const DIRECTIONS: usize = 3000;
@@ -44,7 +48,7 @@ const METALLIC: [u8; 3] = [0, 255, 128];
 const ROUGHNESS: f64 = 128.0 / 255.0;
 
 fn band(along: f64) -> usize {
-    ((3.0 * along) as usize).min(2)
+    ENDS.iter().filter(|end| along > **end).count()
 }
 
 fn picture(of: impl Fn(usize, usize) -> [u8; 3]) -> Vec<u8> {
@@ -63,7 +67,7 @@ fn picture(of: impl Fn(usize, usize) -> [u8; 3]) -> Vec<u8> {
 
 /// A square hole in a plate.
 fn relief(material: &str, images: Vec<Vec<u8>>) -> Glb {
-    let mesh = pit(0.55, 0.5);
+    let mesh = pit(HALF, 0.5);
     Glb {
         positions: mesh.corners.iter().map(|corner| corner.map(|one| one as f32)).collect(),
         normals: vec![],
@@ -93,7 +97,7 @@ fn read(glb: &Glb, size: usize) -> Textured {
     let file = InputFile::from(path);
     let asset = Asset::read(&file).unwrap().unwrap();
     let view = View { is_flat: true, ..View::default() };
-    Textured::new(&file, &asset, size, &view).unwrap()
+    Textured::new(&file, asset, size, &view).unwrap()
 }
 
 fn light(name: &str) -> Named {
@@ -114,9 +118,9 @@ fn linear(level: u8) -> f64 {
 }
 
 /// The irradiance of each pixel in three channels, without light between walls, and the band from top to
-/// bottom that it is in, if it is in one.
+/// bottom that it is within, if it is within one.
 fn oracle(pixels: &[([usize; 2], u8)], light: &Named) -> Vec<([f64; 3], Option<usize>)> {
-    let mesh = surface(&pit(0.55, 0.5), true);
+    let mesh = surface(&pit(HALF, 0.5), true);
     let all: Vec<Triangle> = triangles(&mesh);
     let lights = light.rgb.each_ref().map(|one| ExplicitLight::new(one));
     let each = 4.0 * PI / DIRECTIONS as f64;
@@ -132,10 +136,9 @@ fn oracle(pixels: &[([usize; 2], u8)], light: &Named) -> Vec<([f64; 3], Option<u
     parallel::map(pixels.len(), &(), |k| {
         let ([column, row], _) = pixels[k];
         let mut sum = [0.0; 3];
-        let mut seen = Vec::new();
+        let mut seen = 0;
         for sample in 0..SAMPLES * SAMPLES {
             let within = |k: usize| (k as f64 + 0.5) / SAMPLES as f64;
-            // The plate has SIZE - 1 pixels.
             let place =
                 |k: usize, sample: usize| (k as f64 + within(sample) - 0.5) / (SIZE - 1) as f64;
             let [u, v] = [place(column, sample % SAMPLES), place(row, sample / SAMPLES)];
@@ -143,7 +146,7 @@ fn oracle(pixels: &[([usize; 2], u8)], light: &Named) -> Vec<([f64; 3], Option<u
             let Some((point, normal)) = hit(&all, from, [0.0, 0.0, -1.0]) else { continue };
             assert!(normal[2] > 0.99, "walls are not seen");
             let (across, down) = (band(u), band(v));
-            seen.push(down);
+            seen += 1;
             let metallic = f64::from(METALLIC[down]) / 255.0;
             let start = [point[0], point[1], point[2] + 1e-5];
             for (direction, radiance) in sky.iter().filter(|(direction, _)| direction[2] > 0.0) {
@@ -160,16 +163,19 @@ fn oracle(pixels: &[([usize; 2], u8)], light: &Named) -> Vec<([f64; 3], Option<u
                 }
             }
         }
-        seen.dedup();
-        let samples = (SAMPLES * SAMPLES) as f64;
-        (sum.map(|one| one / samples), if let [one] = seen[..] { Some(one) } else { None })
+        // Where a band ends, textures are filtered, and they repeat.
+        let is_within = |k: usize| ![0, 7, 8, 15, 16, 23].contains(&k);
+        let band = band(row as f64 / (SIZE - 1) as f64);
+        let within = (is_within(column) && is_within(row)).then_some(band);
+        (sum.map(|one| one / f64::from(seen)), within)
     })
 }
 
-/// The rms of the differences in percent of the largest expected value, over a band.
+/// The rms of the differences in percent of the largest expected value, over a band or all.
 fn apart(expected: &[([f64; 3], Option<usize>)], found: &[[f64; 3]], of: Option<usize>) -> f64 {
     let white = expected.iter().flat_map(|one| one.0).fold(0.0, f64::max);
-    let of_band = expected.iter().zip(found).filter(|(one, _)| of.is_none() || one.1 == of);
+    let is_compared = |band: Option<usize>| band.is_some() && (of.is_none() || band == of);
+    let of_band = expected.iter().zip(found).filter(|(one, _)| is_compared(one.1));
     let squares: Vec<f64> =
         of_band.flat_map(|(a, b)| [0, 1, 2].map(|c: usize| (a.0[c] - b[c]).powi(2))).collect();
     assert!(squares.len() > 300);
@@ -224,12 +230,10 @@ fn bands_of_materials_are_those_of_the_oracle() {
             let [host, transports] =
                 [&on_host, &of_transports].map(|one| apart(&expected, one, band));
             println!("{name}, {of}: host {host:.3} %, T and P {transports:.3} %");
-            assert!(host < 0.8, "{name}, {of}");
+            assert!(host < 0.3, "{name}, {of}");
             // The matte share of a mixture is the mean of three channels.
-            assert!(
-                transports < if band == Some(0) || band == Some(1) { 0.8 } else { 2.0 },
-                "{name}, {of}"
-            );
+            let bound = if of == "enamel" || of == "metal" { 0.3 } else { 0.4 };
+            assert!(transports < bound, "{name}, {of}");
         }
     }
 }
@@ -239,7 +243,7 @@ fn bands_of_materials_are_those_of_the_oracle() {
 fn the_runtime_draws_the_transports() {
     let object = read(&bands(), SIZE);
     let transports = object.transports(DEGREE, &()).unwrap();
-    for (codes, bound) in [(4096, 2.0), (300, 3.0)] {
+    for codes in [4096, 300] {
         let compression = Compression { codes, ..Compression::default() };
         let file = transports.packed(&lights(), Turns::All, compression).unwrap();
         for name in ["lobby", "park"] {
@@ -251,7 +255,8 @@ fn the_runtime_draws_the_transports() {
             let flat = |all: &[[f64; 3]]| all.as_flattened().to_vec();
             let rms = percent(&flat(&expected), &flat(&found));
             println!("{codes} codes, {name}: {rms:.3} %");
-            assert!(rms < bound, "{codes} {name}");
+            // Levels of 8 bits, and rows of 8 bits.
+            assert!(rms < 0.7, "{codes} {name}");
         }
     }
 }
@@ -262,8 +267,10 @@ fn smoothed(light: &Named) -> Named {
         let l = k.isqrt() as f64;
         (-0.5 * 0.06 * 0.06 * l * (l + 1.0)).exp()
     };
-    let of = |channel: &Vec<f64>| channel.iter().enumerate().map(|(k, one)| factor(k) * one);
-    Named { name: light.name.clone(), rgb: light.rgb.each_ref().map(|one| of(one).collect()) }
+    let of = |channel: &Vec<f64>| -> Vec<f64> {
+        channel.iter().enumerate().map(|(k, one)| factor(k) * one).collect()
+    };
+    Named { name: light.name.clone(), rgb: light.rgb.each_ref().map(of) }
 }
 
 /// Plastic, a mixture and metal of one gray are the same by base color and as one material, with light
@@ -280,7 +287,7 @@ fn a_uniform_material_is_the_plain_one() {
         let transports = textured.transports(DEGREE, &()).unwrap();
         let f0 = 0.04 + (base - 0.04) * metallic;
         let ggx = Ggx::new(0.5, f0, base * (1.0 - metallic)).unwrap();
-        let mesh = surface(&pit(0.55, 0.5), true);
+        let mesh = surface(&pit(HALF, 0.5), true);
         let plain = Object::new(&mesh, SIZE, DEGREE, &[Material::Formula(&ggx)], &()).unwrap();
         let expected: Vec<f64> =
             plain.irradiance(&light.rgb[1], &[1.0]).iter().map(|&one| f64::from(one)).collect();
