@@ -12,8 +12,9 @@ static DISPLAY: Display = Display::new(Tone::Filmic);
 /// An object has the size that was written, a color for each code, and is drawn as pixel by pixel; with
 /// changed bytes, it is refused or drawn.
 pub fn drawn(input: &mut Reader<'_>) {
+    let has_base_colors = input.byte() & 1 == 1;
     let mut file = file(input);
-    if input.byte() & 1 == 1 {
+    if has_base_colors {
         let tint =
             |_: &Pixel| Tint { code: u16::from(input.byte()) % 9, base_color: input.bytes() };
         file.tints = file.pixels.iter().map(tint).collect();
