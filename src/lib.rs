@@ -218,6 +218,8 @@ mod palette;
 
 mod linear_palette;
 
+mod textured_object;
+
 mod sent;
 
 pub mod wire;
@@ -293,6 +295,7 @@ pub mod object {
     pub use crate::packed_object::{Object, ObjectPixel};
     pub use crate::region::Region;
     pub use crate::shadowed::ShadowedObject;
+    pub use crate::textured_object::TexturedObject;
 }
 
 /// From irradiance to the pixels of a display.

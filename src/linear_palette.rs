@@ -104,14 +104,20 @@ impl LinearPalette {
         };
         let tinted = part([a, b, c, d].map(|[tinted, _]| tinted));
         let plain = part([a, b, c, d].map(|[_, plain]| plain));
-        tinted.zip(plain).zip(base).map(|((tinted, plain), base)| {
-            Linear((((tinted >> 6) * u32::from(base)) >> POINT) + (plain >> (6 + POINT - 16)))
-        })
+        tinted_color(tinted, plain, base)
     }
 }
 
-/// An irradiance as a node.
-fn packed<L: Into<Linear>>(color: Rgb<L>) -> [u16; 3] {
+/// The irradiance of a linear base color in units of 2^-16, from 64 times those of the parts.
+#[inline(always)]
+pub(crate) fn tinted_color(tinted: Rgb<u32>, plain: Rgb<u32>, base: Rgb<u16>) -> Rgb<Linear> {
+    tinted.zip(plain).zip(base).map(|((tinted, plain), base)| {
+        Linear((((tinted >> 6) * u32::from(base)) >> POINT) + (plain >> (6 + POINT - 16)))
+    })
+}
+
+/// An irradiance in units of 2^-12 of white.
+pub(crate) fn packed<L: Into<Linear>>(color: Rgb<L>) -> [u16; 3] {
     <[L; 3]>::from(color).map(|channel| {
         let Linear(units) = channel.into();
         (units.saturating_add(8) >> (16 - POINT)).min(u16::MAX.into()) as u16

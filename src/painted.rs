@@ -1,6 +1,7 @@
 //! Draws textured objects from the palettes of a frame.
 
-use crate::display::{Display, NEAREST, ranks, threshold};
+use crate::color::Rgb;
+use crate::display::{Display, Linear, NEAREST, ranks, threshold};
 use crate::error::{Argument, Error};
 use crate::linear_palette::LinearPalette;
 use crate::packed_object::{Object, Run, linear, pixel};
@@ -133,9 +134,20 @@ fn draw<P: Pixel>(
 ) {
     for (index, (to, &record)) in pixels.iter_mut().zip(records).enumerate() {
         if let Some((code, base, coverage)) = pixel(record) {
-            let color = palette.color(code, linear(base)).map(|channel| display.encode(channel));
-            let color = P::of_display(color, threshold(index));
-            *to = if coverage == u8::MAX { color } else { color.over(*to, coverage) };
+            put(to, palette.color(code, linear(base)), coverage, display, threshold(index));
         }
     }
+}
+
+/// Draws over a pixel, which the color covers by `coverage` / 255.
+#[inline(always)]
+pub(crate) fn put<P: Pixel>(
+    to: &mut P,
+    color: Rgb<Linear>,
+    coverage: u8,
+    display: &Display,
+    threshold: u32,
+) {
+    let color = P::of_display(color.map(|channel| display.encode(channel)), threshold);
+    *to = if coverage == u8::MAX { color } else { color.over(*to, coverage) };
 }

@@ -2,7 +2,9 @@
 
 use crate::error::Error;
 use crate::index::light;
-use crate::index::shadowed::{MAGIC, MOST_IMAGES, MOST_RANK, MOST_SHIFT, RIM};
+use crate::index::shadowed::{
+    MAGIC, MOST_IMAGES, MOST_RANK, MOST_SHIFT, RIM, TINTED_MAGIC, TINTED_WORDS,
+};
 use crate::pixel::Pixel;
 use crate::rows::Rows;
 use crate::target::Target;
@@ -47,7 +49,7 @@ pub struct ShadowedObject<'a> {
     /// Of each part and component an exponent, the shifts of the degrees, and mantissas.
     pub(crate) rows: &'a [u8],
     pub(crate) clusters: &'a [u8],
-    words: Rows<'a, 2>,
+    pub(crate) words: Rows<'a, 2>,
 }
 
 /// Reading.
@@ -61,13 +63,19 @@ impl<'a> ShadowedObject<'a> {
     /// [`Error::Object`] if the bytes are something else, were cut or changed.
     pub const fn new(bytes: &'a [u8]) -> Result<Self, Error> {
         match Self::read(bytes) {
-            Some(object) => Ok(object),
-            None => Err(Error::Object),
+            Some((object, false)) => Ok(object),
+            _ => Err(Error::Object),
         }
     }
 
-    const fn read(bytes: &'a [u8]) -> Option<Self> {
-        let Some((&MAGIC, rest)) = bytes.split_first_chunk() else { return None };
+    /// The object of a file, and whether its pixels have base colors.
+    pub(crate) const fn read(bytes: &'a [u8]) -> Option<(Self, bool)> {
+        let Some((magic, rest)) = bytes.split_first_chunk() else { return None };
+        let is_tinted = match *magic {
+            MAGIC => false,
+            TINTED_MAGIC => true,
+            _ => return None,
+        };
         let Some((&[a, b, c, d, e, f, g, h], rest)) = rest.split_first_chunk() else { return None };
         let (width, height) = (u16::from_le_bytes([a, b]), u16::from_le_bytes([c, d]));
         let (codes, count) = (u16::from_le_bytes([e, f]), u16::from_le_bytes([g, h]));
@@ -99,15 +107,15 @@ impl<'a> ShadowedObject<'a> {
         let shares = shares.as_chunks().0;
         let object =
             Self { width, height, codes, degree, rank, images, shares, rows, clusters, words };
-        if object.has_rows() { Some(object) } else { None }
+        if object.has_rows(is_tinted) { Some((object, is_tinted)) } else { None }
     }
 
     /// Whether each row has whole runs from left to right.
-    const fn has_rows(&self) -> bool {
+    const fn has_rows(&self, is_tinted: bool) -> bool {
         let mut row = 0;
         while row < self.height() {
             match self.words.get(row) {
-                Some(words) if self.has_runs(words) => {}
+                Some(words) if self.has_runs(words, is_tinted) => {}
                 _ => return false,
             }
             row += 1;
@@ -115,12 +123,15 @@ impl<'a> ShadowedObject<'a> {
         true
     }
 
-    const fn has_runs(&self, mut row: &[[u8; 2]]) -> bool {
+    const fn has_runs(&self, mut row: &[[u8; 2]], is_tinted: bool) -> bool {
         let mut column = 0;
         while let [first, count, rest @ ..] = row {
             let (first, count) = (u16::from_le_bytes(*first), u16::from_le_bytes(*count));
-            let each = if count & RIM == 0 { 1 } else { 2 };
-            let count = (count & !RIM) as usize;
+            let (each, count) = if is_tinted {
+                (TINTED_WORDS, count as usize)
+            } else {
+                (if count & RIM == 0 { 1 } else { 2 }, (count & !RIM) as usize)
+            };
             let end = first as usize + count;
             let Some((_, after)) = rest.split_at_checked(each * count) else { return false };
             if count == 0 || (first as usize) < column || end > self.width as usize {

@@ -1,8 +1,8 @@
 //! Files of objects with shadows: what is refused.
 
-use crate::shadowed_objects::small;
+use crate::shadowed_objects::{small, small_textured};
 use eigenshade::Error;
-use eigenshade::object::ShadowedObject;
+use eigenshade::object::{ShadowedObject, TexturedObject};
 use eigenshade_table::shadowed::File;
 
 #[test]
@@ -17,6 +17,48 @@ fn cut_files_are_refused_and_bytes_after_them_ignored() {
     assert_eq!(ShadowedObject::new(&longer), Ok(object));
 }
 
+#[test]
+fn wrong_files_of_base_colors_are_refused() {
+    let bytes = small_textured().encode();
+    for length in 0..bytes.len() {
+        assert_eq!(TexturedObject::new(&bytes[..length]), Err(Error::Object), "{length}");
+    }
+    let object = TexturedObject::new(&bytes).unwrap();
+    assert_eq!(TexturedObject::new(&[&bytes[..], &[0xff; 101]].concat()), Ok(object));
+    // Neither is the other.
+    assert_eq!(ShadowedObject::new(&bytes), Err(Error::Object));
+    assert_eq!(TexturedObject::new(&small().encode()), Err(Error::Object));
+    let words = small().encode().len() - 22;
+    // A run of two pixels, one of the rim, and one in the next row.
+    assert_eq!(bytes.len(), words + 2 * (2 + 2 * 4 + 2 + 4 + 2 + 4));
+    let places = [
+        (5, 2),            // an object of one material
+        (5, 4),            // a version after
+        (6, 3),            // a run beyond the width
+        (10, 4),           // more codes than those of the clusters
+        (25, 13),          // a shift beyond the largest
+        (words - 8, 15),   // half a pixel
+        (words, 3),        // a run that ends beyond the width
+        (words + 2, 0),    // an empty run
+        (words + 2, 3),    // a run beyond its row
+        (words + 3, 0x80), // the same
+        (words + 20, 1),   // two runs at the same place
+        (words + 32, 4),   // a run that begins beyond the width
+    ];
+    for (place, byte) in places {
+        let mut changed = bytes.clone();
+        assert_ne!(changed[place], byte, "{place}");
+        changed[place] = byte;
+        assert_eq!(TexturedObject::new(&changed), Err(Error::Object), "byte {place} = {byte}");
+    }
+    // Codes, base colors and coverages may be any.
+    for place in 4..12 {
+        let mut changed = bytes.clone();
+        changed[words + place] = 0xf3;
+        assert!(TexturedObject::new(&changed).is_ok(), "{place}");
+    }
+}
+
 /// Each byte of the header, of the numbers of codes, of the rows and of the heads of runs.
 #[test]
 fn wrong_structure_is_refused() {
@@ -29,7 +71,8 @@ fn wrong_structure_is_refused() {
     let places = [
         (0, 1),            // magic
         (5, 1),            // the version before
-        (5, 3),            // a version after
+        (5, 3),            // pixels with base colors
+        (5, 4),            // a version after
         (6, 3),            // a run beyond the width
         (8, 1),            // fewer rows than there are
         (8, 3),            // rows that are not there

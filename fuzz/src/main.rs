@@ -17,8 +17,8 @@ type Target = fn(&[u8]);
 ///   in f64.
 /// * `from_bytes`: any bytes as a table give an error, or a basis that projects and shades.
 /// * `packed_object`: objects are drawn as pixel by pixel; changed bytes give an error or an object.
-/// * `shadowed_object`: objects with shadows of any numbers have a color for each code and are drawn as
-///   pixel by pixel; changed bytes give an error or an object.
+/// * `shadowed_object`: objects with shadows of any numbers, with and without base colors, have a color
+///   for each code and are drawn as pixel by pixel; changed bytes give an error or an object.
 const TARGETS: [(&str, Target); 6] = [
     ("shade_any", invariants::shade_any),
     ("public_interface", invariants::public_interface),

@@ -1,18 +1,27 @@
 //! Objects with shadows of any numbers, in targets of any shape.
 
 use super::Reader;
-use eigenshade::object::ShadowedObject;
+use eigenshade::object::{ObjectCoefficients, ShadowedObject, TexturedObject};
 use eigenshade::screen::{Display, Exposure, Target, Tone, blend565};
 use eigenshade::{Light, Q15, Rgb, q15};
 use eigenshade_table::light;
-use eigenshade_table::shadowed::{Cluster, File, Pixel, Row};
+use eigenshade_table::shadowed::{Cluster, File, Pixel, Row, Tint};
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
 /// An object has the size that was written, a color for each code, and is drawn as pixel by pixel; with
 /// changed bytes, it is refused or drawn.
 pub fn drawn(input: &mut Reader<'_>) {
-    let file = file(input);
+    let has_base_colors = input.byte() & 1 == 1;
+    let mut file = file(input);
+    if has_base_colors {
+        let tint =
+            |_: &Pixel| Tint { code: u16::from(input.byte()) % 9, base_color: input.bytes() };
+        file.tints = file.pixels.iter().map(tint).collect();
+        if !file.tints.is_empty() {
+            return textured(&file, input);
+        }
+    }
     let mut bytes = file.encode();
     let object = ShadowedObject::new(&bytes).expect("a written object");
     assert_eq!([object.width(), object.height()], file.size.map(usize::from));
@@ -34,15 +43,74 @@ pub fn drawn(input: &mut Reader<'_>) {
     }
     assert_eq!(whole, single);
 
+    change(&mut bytes, input);
+    if let Ok(object) = ShadowedObject::new(&bytes) {
+        let colors = self::colors(&object, input);
+        object.draw(&colors, &mut Target::new(&mut [0_u16; 30], 6).expect("rows"));
+    }
+}
+
+/// The same with base colors: each pixel is base color x T + P, encoded.
+fn textured(file: &File, input: &mut Reader<'_>) {
+    let mut bytes = file.encode();
+    let object = TexturedObject::new(&bytes).expect("a written object");
+    assert_eq!([object.width(), object.height()], file.size.map(usize::from));
+    assert_eq!(ShadowedObject::new(&bytes), Err(eigenshade::Error::Object));
+    let of_codes = textured_colors(&object, input);
+    let [across, down] = [(); 2].map(|()| 1 + input.up_to(12));
+    let at = [(); 2].map(|()| i32::from(input.byte() % 24) - 12);
+    let mut both = [(); 2].map(|()| vec![[0x12_u8, 0x34, 0x56]; across * down]);
+    let [whole, single] = &mut both;
+    object.draw(
+        &of_codes,
+        &DISPLAY,
+        &mut Target::new(whole, across).expect("a row").at(at[0], at[1]),
+    );
+    let mut target = Target::new(single, across).expect("a row");
+    let mut target = target.at(at[0], at[1]);
+    for (pixel, tint) in file.pixels.iter().zip(&file.tints) {
+        let below = target.pixel(pixel.column.into(), pixel.row.into());
+        let [t, p] = [pixel.code, tint.code].map(|code| of_codes.get(usize::from(code)));
+        let (Some(below), Some(t), Some(p)) = (below, t, p) else { continue };
+        let channel = |channel: usize| {
+            let level = f64::from(tint.base_color[channel]) / 255.0;
+            let base =
+                if level <= 0.04045 { level / 12.92 } else { ((level + 0.055) / 1.055).powf(2.4) };
+            let base = (65_536.0 * base).round().min(65_535.0) as u64;
+            let sum = ((base * u64::from(t[channel])) >> 12) + (u64::from(p[channel]) << 4);
+            eigenshade::screen::Linear(sum as u32)
+        };
+        let color = DISPLAY.rgb888(Rgb::from([0, 1, 2].map(channel)));
+        *below = color.over((*below).into(), pixel.coverage).into();
+    }
+    // The table of base colors may be rounded otherwise.
+    for (a, b) in whole.as_flattened().iter().zip(single.as_flattened()) {
+        assert!(a.abs_diff(*b) <= 1, "{a} {b}");
+    }
+    change(&mut bytes, input);
+    if let Ok(object) = TexturedObject::new(&bytes) {
+        let colors = textured_colors(&object, input);
+        object.draw(&colors, &DISPLAY, &mut Target::new(&mut [0_u16; 30], 6).expect("rows"));
+    }
+}
+
+/// Changes some bytes, and cuts some off.
+fn change(bytes: &mut Vec<u8>, input: &mut Reader<'_>) {
     for _ in 0..1 + input.up_to(3) {
         let place = usize::from(u16::from_le_bytes(input.bytes())) % bytes.len();
         bytes[place] = input.byte();
     }
     bytes.truncate(bytes.len() - input.up_to(2) * input.up_to(40).min(bytes.len() / 2));
-    if let Ok(object) = ShadowedObject::new(&bytes) {
-        let colors = self::colors(&object, input);
-        object.draw(&colors, &mut Target::new(&mut [0_u16; 30], 6).expect("rows"));
-    }
+}
+
+fn textured_colors(object: &TexturedObject<'_>, input: &mut Reader<'_>) -> Vec<[u16; 3]> {
+    let light = |light: Rgb<Light<'_>>| object.coefficients(light);
+    let integers = |light: Rgb<q15::Light<'_>>| object.coefficients_q15(light);
+    let d = coefficients(object.degree(), light, integers, input);
+    let exposure = Exposure::new(input.float(false)).unwrap_or_default();
+    let mut colors = vec![[0; 3]; object.codes()];
+    object.colors(&d, exposure, &mut colors).expect("a color for each code");
+    colors
 }
 
 /// A file of small sizes.
@@ -88,17 +156,37 @@ fn file(input: &mut Reader<'_>) -> File {
         rows: (0..parts).map(|_| (0..rank).map(|_| row(input)).collect()).collect(),
         clusters,
         pixels,
+        tints: vec![],
     }
 }
 
-/// The colors of an object in a light of any numbers, in floats or in integers.
+/// The colors of an object in a light of any numbers.
 fn colors(object: &ShadowedObject<'_>, input: &mut Reader<'_>) -> Vec<u16> {
-    let degree = input.up_to(object.degree());
-    let count = light::count(degree);
+    let light = |light: Rgb<Light<'_>>| object.coefficients(light);
+    let integers = |light: Rgb<q15::Light<'_>>| object.coefficients_q15(light);
+    let d = coefficients(object.degree(), light, integers, input);
+    let exposure = Exposure::new(input.float(false)).unwrap_or_default();
+    let mut shaded = Vec::new();
+    let shade = |color: Rgb<_>| shaded.push(DISPLAY.rgb565(color));
+    object.shade(&d, exposure, shade);
+    let mut colors = vec![0; object.codes()];
+    object.colors(&d, exposure, &DISPLAY, &mut colors).expect("a color for each code");
+    assert_eq!(colors, shaded);
+    colors
+}
+
+/// The coefficients of a light of any numbers, in floats or in integers.
+fn coefficients(
+    most: usize,
+    floats: impl Fn(Rgb<Light<'_>>) -> Result<Rgb<ObjectCoefficients>, eigenshade::Error>,
+    integers: impl Fn(Rgb<q15::Light<'_>>) -> Result<Rgb<ObjectCoefficients>, eigenshade::Error>,
+    input: &mut Reader<'_>,
+) -> Rgb<ObjectCoefficients> {
+    let count = light::count(input.up_to(most));
     let d = if input.byte() & 1 == 0 {
         let channels = [(); 3].map(|()| input.floats(count, false));
         let light = channels.each_ref().map(|one| Light::from_finite(one).expect("a light"));
-        object.coefficients(light.into())
+        floats(light.into())
     } else {
         let channels = [(); 3].map(|()| {
             let exponent = i32::from(input.byte().cast_signed());
@@ -109,15 +197,7 @@ fn colors(object: &ShadowedObject<'_>, input: &mut Reader<'_>) -> Vec<u16> {
         let light = channels
             .each_ref()
             .map(|(exponent, mantissas)| q15::Light::new(*exponent, mantissas).expect("a light"));
-        object.coefficients_q15(light.into())
+        integers(light.into())
     };
-    let d = d.expect("a light of its degree");
-    let exposure = Exposure::new(input.float(false)).unwrap_or_default();
-    let mut shaded = Vec::new();
-    let shade = |color: Rgb<_>| shaded.push(DISPLAY.rgb565(color));
-    object.shade(&d, exposure, shade);
-    let mut colors = vec![0; object.codes()];
-    object.colors(&d, exposure, &DISPLAY, &mut colors).expect("a color for each code");
-    assert_eq!(colors, shaded);
-    colors
+    d.expect("a light of its degree")
 }

@@ -6,6 +6,7 @@ mod sample;
 use crate::asset::Asset;
 use crate::tangents::{self, Tangent};
 use eigenshade_generator::object::facet::{Frame, Plane};
+use eigenshade_generator::object::points::Point;
 use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -21,6 +22,9 @@ const SAMPLES: usize = 4096;
 
 /// Samples across a pixel, at most.
 const PER_PIXEL: usize = 4;
+
+/// Of 4 x 4 samples the columns, row by row, of those that have points: one in each row and column.
+const CHOSEN: [usize; PER_PIXEL] = [1, 3, 0, 2];
 
 /// The largest picture, in pixels across.
 const MOST_SIDE: usize = 4096;
@@ -115,9 +119,58 @@ impl<'a> Samples<'a> {
         sampled().map_err(|error| error.in_file(file.path()))
     }
 
+    /// The surface of the object.
+    #[must_use]
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
     /// The texels of these rows, counted from the top.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Texels {
+        self.visit(rows, |_| {})
+    }
+
+    /// The texels of all rows, and of each the points of up to four samples, whose normals are
+    /// those of their facets toward the camera.
+    #[must_use]
+    pub fn with_points(&self) -> (Texels, Vec<Vec<Point>>) {
+        let mut points = Vec::new();
+        let texels = self.visit(0..self.size, |members| {
+            let samples = self.across * self.size;
+            let chosen = |place: &&usize| {
+                let [right, up] = [*place % samples, *place / samples].map(|k| k % self.across);
+                CHOSEN.get(up) == Some(&right)
+            };
+            let mut found: Vec<Point> =
+                members.iter().filter(chosen).map(|&place| self.point(place)).collect();
+            if found.is_empty() {
+                found.extend(members.get(members.len() / 2).map(|&place| self.point(place)));
+            }
+            points.push(found);
+        });
+        (texels, points)
+    }
+
+    /// The point of a sample that shows the object.
+    fn point(&self, place: usize) -> Point {
+        let samples = self.across * self.size;
+        let [column, row] = [place % samples, place / samples];
+        let facet = &self.surface.facets[self.front[place] as usize];
+        let plane = Plane::new(&self.frame.place(facet));
+        let weights = plane.weights(column as f64 + 0.5, row as f64 + 0.5);
+        let weights = weights.unwrap_or([1.0 / 3.0; 3]);
+        let position = [0, 1, 2].map(|axis: usize| {
+            (0..3).map(|corner| weights[corner] * facet.corners[corner][axis]).sum()
+        });
+        let sign = if facet.projected_area > 0.0 { 1.0 } else { -1.0 };
+        let facet = facet.normal.map(|along| sign * along);
+        let pixel = [column / self.across, self.size - 1 - row / self.across];
+        Point { pixel, position, normal: facet, facet }
+    }
+
+    /// The texels of some rows; `kept` is called with the samples of each.
+    fn visit(&self, rows: Range<usize>, mut kept: impl FnMut(&[usize])) -> Texels {
         let Self { size, across, .. } = *self;
         let mut sampler = Sampler::new(self.asset, &self.surface, &self.frame, &self.tangents);
         let mut texels = Texels { size, ..Texels::default() };
@@ -128,9 +181,9 @@ impl<'a> Samples<'a> {
                 for place in places(samples, across, [column, row]) {
                     let facet = self.front[place];
                     let shown = sampler.shown(facet, place % samples, place / samples);
-                    shown.into_iter().for_each(|shown| add(&mut groups, &shown));
+                    shown.into_iter().for_each(|shown| add(&mut groups, &shown, place));
                 }
-                texels.push([column, row], &groups, across * across);
+                texels.push([column, row], &groups, across * across, &mut kept);
             }
         }
         texels
@@ -155,13 +208,20 @@ impl Texels {
         Ok(Samples::new(file, asset, size, view)?.rows(0..size))
     }
 
-    fn push(&mut self, [column, row]: [usize; 2], groups: &[Group], samples: usize) {
-        let all: usize = groups.iter().map(|group| group.count).sum();
+    fn push(
+        &mut self,
+        [column, row]: [usize; 2],
+        groups: &[Group],
+        samples: usize,
+        kept: &mut impl FnMut(&[usize]),
+    ) {
+        let all: usize = groups.iter().map(|group| group.members.len()).sum();
         let before = self.texels.len();
         for group in groups {
             let Some(texel) = group.texel() else { continue };
             self.texels.push(texel);
-            self.shares.push(group.count as f32 / all as f32);
+            self.shares.push(group.members.len() as f32 / all as f32);
+            kept(&group.members);
         }
         let texels = self.texels.len() - before;
         if texels > 0 {
@@ -200,7 +260,8 @@ fn front(sampler: &mut Sampler<'_>, surface: &Surface, frame: &Frame, samples: u
 
 /// Samples that are shaded together.
 struct Group {
-    count: usize,
+    /// Their places.
+    members: Vec<usize>,
     /// The normal of the first sample.
     first: [f64; 3],
     /// The sums of the normals of the surface, and of those of its normal map.
@@ -212,11 +273,11 @@ struct Group {
     roughness: f64,
 }
 
-fn add(groups: &mut Vec<Group>, shown: &Shown) {
-    let place = groups.iter().position(|group| dot(group.first, shown.smooth) > TOGETHER);
-    let place = place.unwrap_or_else(|| {
+fn add(groups: &mut Vec<Group>, shown: &Shown, place: usize) {
+    let near = groups.iter().position(|group| dot(group.first, shown.smooth) > TOGETHER);
+    let near = near.unwrap_or_else(|| {
         groups.push(Group {
-            count: 0,
+            members: Vec::new(),
             first: shown.smooth,
             smooth: [0.0; 3],
             bumped: [0.0; 3],
@@ -227,8 +288,8 @@ fn add(groups: &mut Vec<Group>, shown: &Shown) {
         });
         groups.len() - 1
     });
-    let group = &mut groups[place];
-    group.count += 1;
+    let group = &mut groups[near];
+    group.members.push(place);
     group.metallic += f64::from(shown.metallic);
     group.roughness += f64::from(shown.roughness);
     for axis in 0..3 {
@@ -244,7 +305,7 @@ impl Group {
         let length = |vector: [f64; 3]| dot(vector, vector).sqrt();
         let [x, y, z] = self.bumped;
         let normal = visible([x, y, z.max(0.0)]).or_else(|_| visible(self.smooth)).ok()?;
-        let mean = |sum: f64| (sum / self.count as f64) as f32;
+        let mean = |sum: f64| (sum / self.members.len() as f64) as f32;
         let shortened = length(self.bumped) / length(self.smooth);
         let roughness = match shortened {
             length if length > 0.0 && length < 1.0 - ROUNDED => {

@@ -1,7 +1,7 @@
 //! Descriptions of packed objects, with and without shadows.
 
 use crate::description::Description;
-use eigenshade::object::{Object, ShadowedObject};
+use eigenshade::object::{Object, ShadowedObject, TexturedObject};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::{light, object, shadowed};
 
@@ -12,6 +12,9 @@ pub fn description(bytes: &[u8]) -> Option<Result<Description>> {
     };
     if bytes.starts_with(&shadowed::MAGIC) {
         return Some(ShadowedObject::new(bytes).map(|_| with_shadows(bytes)).map_err(refused));
+    }
+    if bytes.starts_with(&shadowed::TINTED_MAGIC) {
+        return Some(TexturedObject::new(bytes).map(|_| with_shadows(bytes)).map_err(refused));
     }
     if bytes.starts_with(&object::MAGIC) {
         return Some(Object::new(bytes).map(|_| without_shadows(bytes)).map_err(refused));
@@ -51,7 +54,9 @@ fn with_shadows(bytes: &[u8]) -> Description {
     }
     let pixels = rows(bytes, end, 2);
     let mut found = Description::default();
-    found.field("object", "with shadows");
+    let is_tinted = bytes.starts_with(&shadowed::TINTED_MAGIC);
+    let materials = if is_tinted { ", in its own materials" } else { "" };
+    found.field("object", format!("with shadows{materials}"));
     found.field("version", bytes[5]);
     found.field("size", size(bytes));
     found.field("degree", degree);

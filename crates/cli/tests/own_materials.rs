@@ -2,7 +2,7 @@
 
 use crate::support::files::{decoded, gray_png, normal_map, png};
 use crate::support::{Folder, assert_fails};
-use eigenshade::object::Object;
+use eigenshade::object::{Object, TexturedObject};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_testing::glb::Glb;
 use png::{BitDepth, ColorType};
@@ -241,5 +241,59 @@ fn views_show_the_sides_of_their_names() {
         let middle = &bytes[4 * (4 * 9 + 4)..][..3];
         let brightest = middle.iter().max().copied().unwrap_or_default();
         assert_eq!([0, 1, 2].map(|c: usize| middle[c] > brightest / 2), expected, "{view}");
+    }
+}
+
+/// Own materials with shadows, on the host and packed.
+#[test]
+fn own_materials_have_shadows() {
+    let folder = Folder::new();
+    let material = r#""pbrMetallicRoughness":{"baseColorFactor":[0.6,0.6,0.6,1],"metallicFactor":0.6,"roughnessFactor":0.5}"#;
+    folder.write("a.glb", sphere(material).bytes());
+    let own = picture(&folder, "--object a.glb --shadows");
+    folder
+        .ok("material gltf --base-color 0.6 --metallic 0.6 --roughness 0.5 --order 12 --out m.csv");
+    let named = picture(&folder, "--object a.glb --shadows --material m.csv");
+    let squares: f64 = own.iter().zip(&named).map(|(a, b)| (a - b).powi(2)).sum();
+    let peak = named.iter().copied().fold(0.0, f64::max);
+    let rms = (squares / own.len() as f64).sqrt() / peak;
+    // By name it is a series.
+    println!("by name: {rms:.1e}");
+    assert!(rms < 0.01, "{rms}");
+    let command = "pack-object a.glb --shadows --size 16";
+    let printed = folder.ok(&format!("{command} --out o.bin"));
+    assert!(printed.contains("eigenshade::object::TexturedObject::new("), "{printed}");
+    let bytes = folder.bytes("o.bin");
+    let object = TexturedObject::new(&bytes).expect("an object");
+    assert_eq!([object.width(), object.degree()], [16, 16]);
+    folder.ok(&format!("{command} --out o.rs"));
+    let source = folder.read("o.rs");
+    assert!(
+        source.starts_with("// eigenshade pack-object a.glb --size 16 --shadows --codes 4096 ")
+    );
+    assert!(source.contains("pub static OBJECT: eigenshade::object::TexturedObject<'static>"));
+    let of_info = folder.ok("info --table o.bin");
+    assert!(of_info.contains("with shadows, in its own materials"), "{of_info}");
+    assert!(of_info.contains("version                  3"), "{of_info}");
+    let in_c = "C draws objects with shadows in one material only; give a --material";
+    assert_fails(&folder, &format!("{command} --out o.h"), &[in_c]);
+    folder.ok(&format!("{command} --material chrome --out o.h"));
+    // No materials.
+    folder.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let none = "no material, and the object has none of its own; give --material NAME";
+    assert_fails(&folder, "render --light lobby --object plain.obj --shadows --out p.png", &[none]);
+    assert_fails(&folder, "pack-object plain.obj --shadows --out p.bin", &[none]);
+    // What is not drawn is named.
+    let varied = r#""pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}},"occlusionTexture":{"index":0}"#;
+    let ramp: Vec<u8> = (0..64 * 64).flat_map(|k| [255, 100 + (k % 64 * 2) as u8, 255]).collect();
+    let mut glb = sphere(varied);
+    glb.images = vec![png([64, 64], BitDepth::Eight, ColorType::Rgb, &ramp)];
+    folder.write("varied.glb", glb.bytes());
+    let render = "render --object varied.glb --light lobby --shadows --size 24 --out p.png";
+    let said = folder.messages(render);
+    for expected in
+        ["drawn with shadows, light of degree", "have one roughness", "occlusion maps are left out"]
+    {
+        assert!(said.contains(expected), "{said}");
     }
 }

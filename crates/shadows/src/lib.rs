@@ -33,3 +33,4 @@ pub mod codebook;
 pub mod eigenimages;
 pub mod object;
 pub mod packed;
+pub mod textured;

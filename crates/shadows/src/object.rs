@@ -63,17 +63,9 @@ impl Object {
     /// exp(-l (l + 1) 0.06² / 2).
     #[must_use]
     pub fn smoothed(&self) -> Self {
-        let factors: Vec<f32> = light::indices(self.degree)
-            .map(|(l, _)| (-0.5 * SPREAD * SPREAD * (l * (l + 1)) as f64).exp() as f32)
-            .collect();
-        let smoothed = |transport: &Mat<f32>| {
-            Mat::from_fn(transport.nrows(), factors.len(), |row, k| {
-                factors[k] * transport[(row, k)]
-            })
-        };
         Self {
             pixels: self.pixels.clone(),
-            transports: self.transports.iter().map(smoothed).collect(),
+            transports: self.transports.iter().map(|one| smoothed(self.degree, one)).collect(),
             ..*self
         }
     }
@@ -117,4 +109,12 @@ impl Object {
         let (file, _) = packed(&images, self.degree, self.size, &self.pixels, shares, compression);
         Ok(file.encode())
     }
+}
+
+/// Transports of light of a degree that is smoothed.
+pub(crate) fn smoothed(degree: usize, transports: &Mat<f32>) -> Mat<f32> {
+    let factors: Vec<f32> = light::indices(degree)
+        .map(|(l, _)| (-0.5 * SPREAD * SPREAD * (l * (l + 1)) as f64).exp() as f32)
+        .collect();
+    Mat::from_fn(transports.nrows(), factors.len(), |row, k| factors[k] * transports[(row, k)])
 }

@@ -67,6 +67,7 @@ pub fn packed(
                 coverage,
             })
             .collect(),
+        tints: Vec::new(),
     };
     (file, book)
 }

@@ -36,13 +36,21 @@ pub struct Surroundings<'a> {
     pub bounces: usize,
 }
 
-/// Points of one pixel of similar normals, and what they see.
-struct Group {
-    /// The mean of their normals.
-    normal: [f64; 3],
-    /// Their share of the pixel's points.
-    share: f64,
-    /// The light or patch that they see in each cell of rays.
+/// A part of a pixel with one normal.
+pub struct Facing<'a> {
+    /// The unit normal, z >= 0.
+    pub normal: [f64; 3],
+    /// Its share of the pixel.
+    pub share: f64,
+    /// Points of it, at least one, which take the rays in turns.
+    pub places: Vec<Place>,
+    /// For each BRDF that the pixel is drawn in, its shares of the materials.
+    pub blends: &'a [Vec<f64>],
+}
+
+/// A part of a pixel, and the light or patch that it sees in each cell of rays.
+struct Group<'a> {
+    facing: &'a Facing<'a>,
     seen: Vec<Sight>,
 }
 
@@ -67,14 +75,32 @@ pub fn transports(
     light: Columns<'_>,
     progress: &impl Progress,
 ) -> Vec<Mat<f32>> {
+    let share = |one: usize| move |other: usize| f64::from(u8::from(one == other));
+    let count = materials.len();
+    let blends: Vec<Vec<f64>> =
+        (0..count).map(|one| (0..count).map(share(one)).collect()).collect();
+    let albedos: Vec<f64> = materials.iter().map(Material::albedo).collect();
+    let pixels: Vec<_> = pixels.iter().map(|points| facings(points, &blends)).collect();
+    blended(&pixels, surroundings, (materials, &albedos), light, progress)
+}
+
+/// The same for pixels that blend the materials: for each blend a matrix. Each has an albedo for the
+/// light that the surface reflects to the pixels.
+#[must_use]
+pub fn blended(
+    pixels: &[Vec<Facing<'_>>],
+    surroundings: Option<Surroundings<'_>>,
+    (materials, albedos): (&[Material<'_>], &[f64]),
+    light: Columns<'_>,
+    progress: &impl Progress,
+) -> Vec<Mat<f32>> {
     let cells = cells(FINE);
     let rays: Vec<[f64; 3]> = self::cells(RAYS).into_iter().map(|(ray, _)| ray).collect();
     let reflecting = surroundings.filter(|around| around.bounces > 0);
     let patches = reflecting.map(|around| {
         let patches = Patches::new(around.occluders, light.all);
-        let radiance =
-            |material: &Material<'_>| patches.radiance(material.albedo(), around.bounces);
-        let radiances: Vec<Mat<f32>> = materials.iter().map(radiance).collect();
+        let radiance = |albedo: &f64| patches.radiance(*albedo, around.bounces);
+        let radiances: Vec<Mat<f32>> = albedos.iter().map(radiance).collect();
         (patches, radiances)
     });
     let look = |from: &Place, ray: [f64; 3]| {
@@ -93,33 +119,30 @@ pub fn transports(
     let found = parallel::map(batches, progress, |batch| {
         let pixels = &pixels[batch * BATCH..((batch + 1) * BATCH).min(pixels.len())];
         let none = Weights::new(light, count, pixels.len());
-        let mut weights = vec![none; materials.len()];
-        for (pixel, points) in pixels.iter().enumerate() {
-            for group in groups(points, &rays, &look) {
+        let mut weights = vec![none; albedos.len()];
+        for (pixel, facings) in pixels.iter().enumerate() {
+            for facing in facings {
                 let mut columns: Vec<_> =
                     weights.iter_mut().map(|weights| weights.pixel(pixel)).collect();
-                group.add(materials, &open, &cells, &mut columns);
+                Group::new(facing, &rays, &look).add(materials, &open, &cells, &mut columns);
             }
         }
-        let radiances = |material: usize| patches.as_ref().map(|(_, all)| all[material].as_ref());
+        let radiances = |blend: usize| patches.as_ref().map(|(_, all)| all[blend].as_ref());
         let product =
-            |(material, weights): (usize, &Weights)| weights.product(light, radiances(material));
+            |(blend, weights): (usize, &Weights)| weights.product(light, radiances(blend));
         weights.iter().enumerate().map(product).collect::<Vec<_>>()
     });
-    (0..materials.len())
-        .map(|material| {
+    (0..albedos.len())
+        .map(|blend| {
             Mat::from_fn(pixels.len(), light.all.ncols(), |row, column| {
-                found[row / BATCH][material][(row % BATCH, column)]
+                found[row / BATCH][blend][(row % BATCH, column)]
             })
         })
         .collect()
 }
 
-fn groups(
-    points: &[Point],
-    rays: &[[f64; 3]],
-    look: &impl Fn(&Place, [f64; 3]) -> Sight,
-) -> Vec<Group> {
+/// Points of similar normals together.
+fn facings<'a>(points: &[Point], blends: &'a [Vec<f64>]) -> Vec<Facing<'a>> {
     let mut groups: Vec<Vec<Point>> = Vec::new();
     for point in points {
         let near = |group: &&mut Vec<Point>| dot(group[0].normal, point.normal) > TOGETHER;
@@ -128,27 +151,34 @@ fn groups(
             None => groups.push(vec![*point]),
         }
     }
-    let group = |members: Vec<Point>| {
+    let facing = |members: Vec<Point>| {
         let add = |sum: [f64; 3], point: &Point| [0, 1, 2].map(|k| sum[k] + point.normal[k]);
         let sum = members.iter().fold([0.0; 3], add);
         let length = dot(sum, sum).sqrt();
-        let normal = sum.map(|along| along / length);
-        // Members take the rays in turns.
-        let seen = |(cell, ray): (usize, &[f64; 3])| {
-            let point = &members[(cell % RAYS + 2 * (cell / RAYS)) % members.len()];
-            if dot(normal, *ray) > -REACH { look(&point.into(), *ray) } else { Sight::Dark }
-        };
-        Group {
-            normal,
+        Facing {
+            normal: sum.map(|along| along / length),
             share: members.len() as f64 / points.len() as f64,
-            seen: rays.iter().enumerate().map(seen).collect(),
+            places: members.iter().map(Place::from).collect(),
+            blends,
         }
     };
-    groups.into_iter().map(group).collect()
+    groups.into_iter().map(facing).collect()
 }
 
-impl Group {
-    /// Adds f (n·w) dw of each direction to the weights of a pixel for each material.
+impl<'a> Group<'a> {
+    fn new(
+        facing: &'a Facing<'a>,
+        rays: &[[f64; 3]],
+        look: &impl Fn(&Place, [f64; 3]) -> Sight,
+    ) -> Self {
+        let seen = |(cell, ray): (usize, &[f64; 3])| {
+            let place = &facing.places[(cell % RAYS + 2 * (cell / RAYS)) % facing.places.len()];
+            if dot(facing.normal, *ray) > -REACH { look(place, *ray) } else { Sight::Dark }
+        };
+        Self { facing, seen: rays.iter().enumerate().map(seen).collect() }
+    }
+
+    /// Adds f (n·w) dw of each direction to the weights of a pixel for each blend.
     fn add(
         &self,
         materials: &[Material<'_>],
@@ -156,15 +186,16 @@ impl Group {
         cells: &[([f64; 3], f64)],
         weights: &mut [PixelWeights<'_>],
     ) {
-        let reflected = self.normal[2].max(RIM);
+        let Facing { normal, share, blends, .. } = *self.facing;
+        let reflected = normal[2].max(RIM);
         let seen = Seen::new(materials, reflected);
         let free = self.free(cells);
         let removed: Vec<f64> =
             open.materials.iter().map(|one| if one.is_some() { free } else { 0.0 }).collect();
-        open.add(self.normal, self.share * free, weights);
+        open.add(normal, share * free, blends, weights);
         let mut values = vec![0.0; materials.len()];
         for (cell, (direction, angle)) in cells.iter().enumerate() {
-            let incident = dot(self.normal, *direction);
+            let incident = dot(normal, *direction);
             if incident <= 0.0 {
                 continue;
             }
@@ -172,14 +203,19 @@ impl Group {
             seen.values(at, &mut values);
             let sight = self.seen[ray_of(cell)];
             let is_seen = if sight == Sight::Light { 1.0 } else { 0.0 };
-            for ((weights, value), removed) in weights.iter_mut().zip(&values).zip(&removed) {
-                let weight = self.share * incident * angle * value;
-                weights.harmonics[cell] += (weight * (is_seen - removed)) as f32;
+            let factor = share * incident * angle;
+            for (weights, blend) in weights.iter_mut().zip(blends) {
+                let (mut value, mut known) = (0.0, 0.0);
+                for ((share, one), removed) in blend.iter().zip(&values).zip(&removed) {
+                    value += share * one;
+                    known += share * one * removed;
+                }
+                weights.harmonics[cell] += (factor * (value * is_seen - known)) as f32;
                 if let Some(other) = weights.others.get_mut(cell) {
-                    *other += (weight * is_seen) as f32;
+                    *other += (factor * value * is_seen) as f32;
                 }
                 if let Sight::Patch(number) = sight {
-                    weights.patches[number as usize] += weight as f32;
+                    weights.patches[number as usize] += (factor * value) as f32;
                 }
             }
         }
@@ -189,7 +225,7 @@ impl Group {
     fn free(&self, cells: &[([f64; 3], f64)]) -> f64 {
         let (mut free, mut all) = (0.0, 0.0);
         for (cell, (direction, angle)) in cells.iter().enumerate() {
-            let weight = dot(self.normal, *direction).max(0.0) * angle;
+            let weight = dot(self.facing.normal, *direction).max(0.0) * angle;
             all += weight;
             free += if self.seen[ray_of(cell)] == Sight::Light { weight } else { 0.0 };
         }

@@ -106,17 +106,26 @@ impl<'a> Open<'a> {
         Self { sum: DirectSum::new(degree, order.unwrap_or(0)), materials }
     }
 
-    /// Adds a share of the transports at a normal.
-    pub fn add(&self, normal: [f64; 3], share: f64, weights: &mut [PixelWeights<'_>]) {
+    /// Adds a share of the transports at a normal to each blend of the materials.
+    pub fn add(
+        &self,
+        normal: [f64; 3],
+        share: f64,
+        blends: &[Vec<f64>],
+        weights: &mut [PixelWeights<'_>],
+    ) {
         if share <= 0.0 || self.materials.iter().all(Option::is_none) {
             return;
         }
         let modes = self.sum.at(normal);
-        for (weights, coefficients) in weights.iter_mut().zip(&self.materials) {
+        for (material, coefficients) in self.materials.iter().enumerate() {
             let Some(coefficients) = coefficients else { continue };
             let transport = modes.transport(&modes.scatter(coefficients));
-            for (sum, one) in weights.open.iter_mut().zip(transport) {
-                *sum += (share * one) as f32;
+            for (weights, blend) in weights.iter_mut().zip(blends) {
+                let share = share * blend[material];
+                for (sum, one) in weights.open.iter_mut().zip(&transport) {
+                    *sum += (share * one) as f32;
+                }
             }
         }
     }

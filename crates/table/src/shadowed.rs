@@ -6,7 +6,7 @@
 //!
 //! | bytes | |
 //! |---|---|
-//! | 6 | `eigsh` and the version, 2 |
+//! | 6 | `eigsh` and the version: 2 of an object of one material, 3 of one with base colors |
 //! | 8 | width, height, number of codes, number of clusters: 16 bits each |
 //! | 4 | degree, number of parts of the material, r, K: 8 bits each |
 //! | 6 for each part | its share in red, green and blue: 16 bits each, in units of 1 / 32,767 |
@@ -18,9 +18,19 @@
 //! With the mantissas times 2 to their exponent, and in rows to the shift of their degree too, the
 //! irradiance of a code is
 //! Σ_j (mean_j + Σ_k weight_k image_kj) d_j, where d = Σ_parts share x row · L in each channel.
+//!
+//! With base colors, a run has no bit for coverage, and a pixel has four words: the code of T, the code of
+//! P, then four bytes, which are its base color in sRGB (r, g, b) and its coverage of 255. Its irradiance
+//! is base color x T + P.
 
-/// The first bytes of a file.
+/// The first bytes of a file of an object of one material.
 pub const MAGIC: [u8; 6] = *b"eigsh\x02";
+
+/// The first bytes of a file of an object with base colors.
+pub const TINTED_MAGIC: [u8; 6] = *b"eigsh\x03";
+
+/// The words of a pixel with a base color.
+pub const TINTED_WORDS: usize = 4;
 
 /// The largest rank.
 pub const MOST_RANK: usize = 100;
@@ -35,11 +45,11 @@ pub const MOST_SHIFT: u8 = 12;
 pub const RIM: u16 = 1 << 15;
 
 #[cfg(feature = "alloc")]
-pub use encoding::{Cluster, File, Pixel, Row};
+pub use encoding::{Cluster, File, Pixel, Row, Tint};
 
 #[cfg(feature = "alloc")]
 mod encoding {
-    use super::{MAGIC, RIM};
+    use super::{MAGIC, RIM, TINTED_MAGIC};
     use alloc::vec::Vec;
 
     /// The contents of a file.
@@ -57,6 +67,8 @@ mod encoding {
         pub clusters: Vec<Cluster>,
         /// The pixels in the order of their rows and columns.
         pub pixels: Vec<Pixel>,
+        /// What each pixel has beside, or none if the object is of one material.
+        pub tints: Vec<Tint>,
     }
 
     /// A row that gives a coefficient from a light.
@@ -88,10 +100,19 @@ mod encoding {
         pub column: u16,
         /// The row, from the top.
         pub row: u16,
-        /// The number of its code over all clusters.
+        /// The number of its code over all clusters; with base colors, that of T.
         pub code: u16,
         /// The covered share of 255.
         pub coverage: u8,
+    }
+
+    /// What a pixel with a base color has beside a [`Pixel`].
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct Tint {
+        /// The code of P.
+        pub code: u16,
+        /// The base color in sRGB.
+        pub base_color: [u8; 3],
     }
 
     impl File {
@@ -101,7 +122,7 @@ mod encoding {
             let rank = self.rows.first().map_or(0, Vec::len);
             let images = self.clusters.first().map_or(0, |cluster| cluster.images.len());
             let codes: usize = self.clusters.iter().map(|one| one.weights.len()).sum();
-            let mut bytes = MAGIC.to_vec();
+            let mut bytes = if self.tints.is_empty() { MAGIC } else { TINTED_MAGIC }.to_vec();
             let [width, height] = self.size;
             for word in [width, height, codes as u16, self.clusters.len() as u16] {
                 bytes.extend(word.to_le_bytes());
@@ -135,9 +156,11 @@ mod encoding {
                 starts.push(words.len() as u32);
                 let start = self.pixels.partition_point(|pixel| pixel.row < row);
                 let end = self.pixels.partition_point(|pixel| pixel.row <= row);
-                let is_whole = |pixel: &Pixel| pixel.coverage == u8::MAX;
+                let is_tinted = !self.tints.is_empty();
+                let is_whole = |pixel: &Pixel| is_tinted || pixel.coverage == u8::MAX;
                 let follow =
                     |a: &Pixel, b: &Pixel| b.column == a.column + 1 && is_whole(a) == is_whole(b);
+                let mut tints = self.tints.iter().skip(start);
                 for run in self.pixels[start..end].chunk_by(follow) {
                     let is_whole = is_whole(&run[0]);
                     let count = run.len() as u16 | if is_whole { 0 } else { RIM };
@@ -145,6 +168,10 @@ mod encoding {
                     for pixel in run {
                         words.push(pixel.code);
                         words.extend((!is_whole).then_some(u16::from(pixel.coverage)));
+                        if let Some(Tint { code, base_color: [r, g, b] }) = tints.next() {
+                            let pairs = [[*r, *g], [*b, pixel.coverage]].map(u16::from_le_bytes);
+                            words.extend([*code, pairs[0], pairs[1]]);
+                        }
                     }
                 }
             }

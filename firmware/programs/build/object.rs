@@ -50,5 +50,6 @@ pub fn shadowed() -> Result<Vec<u8>> {
     });
     let pixels = pixels.collect();
     let shares = vec![[i16::MAX; 3]];
-    Ok(shadowed::File { size: [96; 2], degree: 16, shares, rows, clusters, pixels }.encode())
+    Ok(shadowed::File { size: [96; 2], degree: 16, shares, rows, clusters, pixels, tints: vec![] }
+        .encode())
 }

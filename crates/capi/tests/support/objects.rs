@@ -81,6 +81,7 @@ fn shadowed(size: u16, rank: usize, images: usize, codes: &[usize]) -> Result<Ve
         rows,
         clusters,
         pixels: Disc::new(size.into())?.map(pixel).collect(),
+        tints: vec![],
     };
     Ok(file.encode())
 }

@@ -118,7 +118,7 @@ impl ObjectScene {
             view: self.view().map_err(in_scene)?,
             size: size.map_err(in_scene)?,
             degree,
-            material: &material,
+            material: Some(&material),
             lights: &lights,
             turns: self.turns().map_err(in_scene)?,
             codes: codes.map_err(in_scene)?,

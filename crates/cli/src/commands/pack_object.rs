@@ -51,11 +51,11 @@ pub struct PackObject {
     /// Pack the normals alone
     #[arg(long = "normals-only", conflicts_with = "regions")]
     has_normals_only: bool,
-    /// Pack a mesh in one material with the shadows that it casts on itself
-    #[arg(long = "shadows", requires = "material", conflicts_with_all = ["has_normals_only", "regions"])]
+    /// Pack a mesh with the shadows that it casts on itself
+    #[arg(long = "shadows", conflicts_with_all = ["has_normals_only", "regions"])]
     has_shadows: bool,
     /// The material of an object with shadows: the name of a shipped one, a material CSV, or one
-    /// material of a CSV
+    /// material of a CSV [default: those of the object]
     #[arg(short, long, value_name = "NAME|FILE[:NAME]", requires = "has_shadows")]
     material: Option<Source>,
     /// The most colors of an object with shadows in a frame, 1 to 65535: pixels alike share one
@@ -85,6 +85,7 @@ enum Item {
     NormalMap,
     Object,
     ShadowedObject,
+    TexturedObject,
 }
 
 impl Item {
@@ -94,6 +95,7 @@ impl Item {
             Self::NormalMap => ["NormalMap", "MAP"],
             Self::Object => ["Object", "OBJECT"],
             Self::ShadowedObject => ["ShadowedObject", "OBJECT"],
+            Self::TexturedObject => ["TexturedObject", "OBJECT"],
         }
     }
 }
@@ -122,20 +124,21 @@ impl Contents {
     }
 
     /// A C header, and the name of its constant.
-    fn header(&self, stem: &str, command: &str) -> (String, String) {
+    fn header(&self, stem: &str, command: &str) -> Result<(String, String)> {
         let named = |prefix: &str| identifier(&format!("{prefix} {stem}"));
         let of_file = |prefix: &str, kind: &str| {
             let name = named(prefix);
             (c::object(kind, &name, &self.bytes, command), name)
         };
-        match self.item {
+        Ok(match self.item {
             Item::Object => of_file("object", "eigenshade_object_t"),
             Item::ShadowedObject => of_file("shadowed object", "eigenshade_shadowed_object_t"),
             Item::NormalMap => {
                 let name = named("normal map");
                 (c::normal_map(&name, self.size, &self.bytes, command), name)
             }
-        }
+            Item::TexturedObject => return Err(not_in_c()),
+        })
     }
 }
 
@@ -152,6 +155,9 @@ impl PackObject {
                 return Err(Error::new("unknown kind of output", remedy).in_file(&self.out));
             }
         };
+        if matches!(kind, Kind::C) && self.has_shadows && self.material.is_none() {
+            return Err(not_in_c().in_file(&self.out));
+        }
         let contents = self.contents()?;
         let Contents { bytes, size, covered, notes, .. } = &contents;
         let stem = self.out.file_stem().unwrap_or_default().to_string_lossy();
@@ -165,7 +171,7 @@ impl PackObject {
                 ("in Rust", module(&self.out.file_name().unwrap_or_default().to_string_lossy())),
             ),
             Kind::C => {
-                let (text, name) = contents.header(&stem, &self.command());
+                let (text, name) = contents.header(&stem, &self.command())?;
                 (text.into_bytes(), ("in C", format!("&{name}")))
             }
         };
@@ -182,8 +188,8 @@ impl PackObject {
 
     fn contents(&self) -> Result<Contents> {
         let file = input_file(&self.object);
-        if let Some(material) = &self.material {
-            return self.shadowed(&file, material);
+        if self.has_shadows {
+            return self.shadowed(&file);
         }
         if !self.has_normals_only
             && let Some(asset) = Asset::read(&file)?
@@ -209,8 +215,8 @@ impl PackObject {
         })
     }
 
-    /// An object with its shadows in one material.
-    fn shadowed(&self, file: &InputFile, material: &Source) -> Result<Contents> {
+    /// An object with its shadows, in one material or in its own.
+    fn shadowed(&self, file: &InputFile) -> Result<Contents> {
         let options = self.pose.options(self.size, self.green);
         options.check(file)?;
         let size = self.size.unwrap_or(SIZE);
@@ -219,14 +225,17 @@ impl PackObject {
             view: options.view(),
             size,
             degree: DEGREE,
-            material,
+            material: self.material.as_ref(),
             lights: &shipped::lights()?,
             turns: Turns::All,
             codes: self.codes,
         };
         let packed = packing.pack()?;
         Ok(Contents {
-            item: Item::ShadowedObject,
+            item: match self.material {
+                Some(_) => Item::ShadowedObject,
+                None => Item::TexturedObject,
+            },
             notes: packed.notes(),
             size: [size; 2],
             covered: packed.covered,
@@ -246,6 +255,7 @@ impl PackObject {
             Some(material) => {
                 format!(" --shadows --material {} --codes {}", material.short(), self.codes)
             }
+            None if self.has_shadows => format!(" --shadows --codes {}", self.codes),
             None => String::new(),
         };
         let only = if self.has_normals_only { " --normals-only" } else { "" };
@@ -295,6 +305,12 @@ fn of_object(texels: &Texels, packed: Packed) -> Contents {
         );
     }
     Contents { item: Item::Object, bytes: packed.bytes, size: [texels.size; 2], covered, notes }
+}
+
+/// C has no objects with shadows in their own materials.
+fn not_in_c() -> Error {
+    let what = "C draws objects with shadows in one material only";
+    Error::new(what, "give a --material, or write .rs or .bin for Rust")
 }
 
 /// The declaration of a file as a module, which has the name of the file if that is one.

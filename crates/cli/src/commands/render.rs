@@ -63,10 +63,10 @@ pub struct Render {
     /// Number format
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
     pub(super) format: Format,
-    /// Draw a mesh in one material with the shadows that it casts on itself, up to 512 pixels across
-    /// and 256 by default. The light is harmonics alone, of all degrees that it has
+    /// Draw a mesh with the shadows that it casts on itself, up to 512 pixels across and 256 by default.
+    /// The light is harmonics alone, of all degrees that it has
     #[cfg(feature = "generate")]
-    #[arg(long = "shadows", requires_all = ["normals", "material"], conflicts_with_all = ["matcap",
+    #[arg(long = "shadows", requires = "normals", conflicts_with_all = ["matcap",
         "format", "table", "components", "effects", "sources", "tolerance"])]
     has_shadows: bool,
     #[command(flatten)]
@@ -126,6 +126,12 @@ fn tones() -> impl TypedValueParser<Value = Tone> {
     ])
 }
 
+/// An object without a material.
+pub fn no_material() -> Error {
+    let what = "no material, and the object has none of its own";
+    Error::new(what, "give --material NAME, or a .glb, .gltf, or .obj with its .mtl")
+}
+
 impl Render {
     pub fn run(self) -> Result<()> {
         let others = [self.normals.as_path(), self.table.path()].map(Path::to_path_buf);
@@ -144,12 +150,13 @@ impl Render {
         }
         #[cfg(feature = "generate")]
         if let Some((object, asset)) = self.own_materials()? {
-            return self.run_own(file, &object, &asset);
+            return if self.has_shadows {
+                self.run_own_shadowed(file, &object, asset)
+            } else {
+                self.run_own(file, &object, &asset)
+            };
         }
-        let material = material.clone().ok_or_else(|| {
-            let what = "no material, and the object has none of its own";
-            Error::new(what, "give --material NAME, or a .glb, .gltf, or .obj with its .mtl")
-        })?;
+        let material = material.clone().ok_or_else(no_material)?;
         let inputs = Inputs { light: light.clone(), material };
         #[cfg(feature = "generate")]
         if self.has_shadows {

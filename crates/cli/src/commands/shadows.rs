@@ -1,5 +1,6 @@
 //! Objects with their shadows: `render --shadows`, `pack-object --shadows` and scenes with an object.
 
+use super::render::no_material;
 use eigenshade_asset::asset::Asset;
 use eigenshade_cli::messages::{grouped, print_message, progress_bar};
 use eigenshade_generator::object::mesh;
@@ -12,6 +13,7 @@ use eigenshade_shadows::light_root::Turns;
 use eigenshade_shadows::material::{MOST_ORDER, Material};
 use eigenshade_shadows::object::Object;
 use eigenshade_shadows::packed::Compression;
+use eigenshade_shadows::textured::Textured;
 use eigenshade_shadows::visibility::hidden_share;
 use eigenshade_table::light;
 use indicatif::ProgressBar;
@@ -32,7 +34,8 @@ pub struct Packing<'a> {
     pub size: usize,
     /// The degree of the light.
     pub degree: usize,
-    pub material: &'a Source,
+    /// None for those of the file.
+    pub material: Option<&'a Source>,
     /// The lights that it is made for, and how they turn.
     pub lights: &'a Lights,
     pub turns: Turns,
@@ -52,16 +55,48 @@ pub struct PackedObject {
 impl Packing<'_> {
     /// Packs the object.
     pub fn pack(&self) -> Result<PackedObject> {
-        let (parts, _) = Parts::of(self.material)?;
+        let compression = Compression { codes: self.codes, ..Compression::default() };
+        let Some(material) = self.material else { return self.pack_own(compression) };
+        let (parts, _) = Parts::of(material)?;
         let object =
             drawn(self.file, &self.view, self.size, &parts, |surface, parts, progress| {
                 Object::new(surface, self.size, self.degree, parts, progress)
             })?;
-        let compression = Compression { codes: self.codes, ..Compression::default() };
         let bytes = object.packed(self.lights, self.turns, &parts.shares, compression)?;
         let covered = object.pixels.len();
         Ok(PackedObject { bytes, covered, codes: self.codes.min(covered), degree: self.degree })
     }
+
+    /// Packs it in its own materials.
+    fn pack_own(&self, compression: Compression) -> Result<PackedObject> {
+        let asset =
+            Asset::read(self.file)?.ok_or_else(|| no_material().in_file(self.file.path()))?;
+        let object = Textured::new(self.file, asset, self.size, &self.view)?;
+        let progress = progress_bar("pixels with shadows", Object::steps(self.size));
+        let transports = object.transports(self.degree, &progress)?;
+        progress.finish_and_clear();
+        let bytes = transports.packed(self.lights, self.turns, compression)?;
+        notes(&object).into_iter().for_each(print_message);
+        let covered = object.pixels.len();
+        let codes = self.codes.min(2 * covered);
+        Ok(PackedObject { bytes, covered, codes, degree: self.degree })
+    }
+}
+
+/// How far the one roughness of an object with shadows may be from that of its pixels, as a share.
+const CLOSE: f32 = 0.15;
+
+/// How an object in its own materials is drawn with shadows.
+pub fn notes(object: &Textured) -> Vec<String> {
+    let roughness = (!object.is_of_one_roughness(CLOSE)).then(|| {
+        let ([low, high], mean) = (object.roughnesses, object.roughness);
+        format!(
+            "warning: shadows have one roughness, here the mean {mean:.2}; nine tenths of the \
+             object have {low:.2} to {high:.2}"
+        )
+    });
+    let occlusion = "occlusion maps are left out: shadows take their place";
+    roughness.into_iter().chain(object.has_occlusion.then(|| occlusion.to_owned())).collect()
 }
 
 impl PackedObject {
@@ -150,7 +185,7 @@ pub fn warning(path: &Path, view: &View) -> Result<Option<String>> {
     Ok((hidden > NOTICED).then(|| {
         format!(
             "warning: shadows are left out: the object hides {:.0} % of uniform light from itself, \
-             and sources shine through it; `--shadows` draws it in one --material with its shadows",
+             and sources shine through it; `--shadows` draws it with its shadows",
             (100.0 * hidden).max(1.0)
         )
     }))

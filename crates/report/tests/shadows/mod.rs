@@ -4,6 +4,7 @@ mod bounce;
 mod cases;
 mod oracle;
 mod statements;
+mod textured;
 
 use eigenshade::object::ShadowedObject;
 use eigenshade::screen::Exposure;
