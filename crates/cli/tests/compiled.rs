@@ -1,8 +1,8 @@
 //! Tables as Rust source and as wire files.
 
 use crate::support::{
-    DEGREE, Folder, ORDER, PAIR, assert_fails, assert_usage_errors, lights, materials, repository,
-    scene, stderr,
+    DEGREE, Folder, ORDER, assert_fails, assert_usage_errors, lights, materials, repository, scene,
+    stderr,
 };
 use crate::tolerances;
 use eigenshade::Basis;
@@ -316,12 +316,6 @@ fn tables_without_a_wire_file_are_refused() {
                  --out p.png";
     assert_fails(&folder, drawn, &["mean image", "use --format f64"]);
     folder.ok(&format!("{drawn} --format f64"));
-    make("fixed", scene("image-centered", 10, "[]").replace("\"any\"", "\"none\""));
-    let what = "fixed.bin: integer formats support only tables of a sphere under light that turns \
-                freely; use ";
-    assert_fails(&folder, "pack --table fixed.bin --format q15 --out v.esw", &[what, "use f32\n"]);
-    let shade = format!("shade -t fixed.bin {PAIR} --normals normals.csv --format q15");
-    assert_fails(&folder, &shade, &[what, "use --format f32\n"]);
     make("materials", scene("image-centered", 10, "[]") + "store = \"materials\"\n");
     for (arguments, fragments) in [
         ("materials.bin --out v.esw", &["materials.bin: ", "store = \"projection\""][..]),
