@@ -71,6 +71,22 @@ pub fn triples(numbers: &Numbers<'_>, what: &str) -> PyResult<Vec<[f64; 3]>> {
     Ok(view.outer_iter().map(|row| [row[0], row[1], row[2]]).collect())
 }
 
+/// The shape of an array without its last axis.
+pub fn leading(numbers: &Numbers<'_>) -> Vec<usize> {
+    let shape = numbers.as_array().shape().to_vec();
+    shape[..shape.len().saturating_sub(1)].to_vec()
+}
+
+/// An array with rows for places of this shape.
+pub fn placed<'py>(
+    rows: &Bound<'py, PyAny>,
+    mut places: Vec<usize>,
+    columns: Option<usize>,
+) -> PyResult<Bound<'py, PyAny>> {
+    places.extend(columns);
+    rows.call_method1("reshape", (places,))
+}
+
 /// Unit normals of an array of shape (.., 3), of any length above 0 and facing the camera.
 pub fn normals(numbers: &Numbers<'_>) -> PyResult<Vec<[f64; 3]>> {
     let checked = |(number, [x, y, z]): (usize, [f64; 3])| {

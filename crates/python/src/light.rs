@@ -4,6 +4,7 @@ use crate::arrays::{Numbers, channels, of_channels, of_rows, refused};
 use crate::work::{done, input_file};
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::Map;
+use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::coefficients;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -21,8 +22,8 @@ use std::path::{Path, PathBuf};
 /// Distant light: radiance as real spherical harmonics, in the frame of the camera, which looks
 /// along -z with y up.
 ///
-/// ``Light(coefficients, name="light")`` takes an array of shape (n,) or (3, n) with n = (degree + 1)²;
-/// L_l^m is at l² + l + m.
+/// ``Light(coefficients, name="light")`` takes an array of shape (n,) or (3, n) with n = (degree +
+/// 1)²; L_l^m is at l² + l + m.
 #[pyclass(module = "eigenshade", frozen)]
 #[derive(Clone)]
 pub struct Light {
@@ -38,18 +39,22 @@ impl Light {
     fn new(coefficients: Numbers<'_>, name: &str) -> PyResult<Self> {
         let rgb = channels(&coefficients, "coefficients of a light")?;
         let degree = rgb[0].len().isqrt().saturating_sub(1);
-        if (degree + 1).pow(2) != rgb[0].len() {
+        if degree > MOST_DEGREE || (degree + 1).pow(2) != rgb[0].len() {
             let what = format!("a light of {} coefficients", rgb[0].len());
-            return Err(refused(what, "give 1, 4, 9, .. (degree + 1)² for each channel"));
+            return Err(refused(
+                what,
+                "give 1, 4, 9, .. (degree + 1)² for each channel, up to degree 256",
+            ));
         }
         Ok(Self { entry: Named { name: name.to_owned(), rgb }, degree, sources: Vec::new() })
     }
 
     /// Reads an environment map (.exr, .hdr, .pfm, .png, .jpg), or a light CSV of the program.
     ///
-    /// Of a map, ``degree`` is that of the harmonics, and ``sources`` the number of small bright sources
-    /// that are found in it for highlights, which takes half a minute. Of a CSV, ``name`` is one of its
-    /// lights, ``degree`` at most that of the file, and the sources are those beside it.
+    /// Of a map, ``degree`` is that of the harmonics, and ``sources`` the number of small bright
+    /// sources that are found in it for highlights, which takes half a minute. Of a CSV, ``name``
+    /// is one of its lights, ``degree`` at most that of the file, and the sources are those beside
+    /// it.
     #[staticmethod]
     #[pyo3(signature = (path, *, degree = None, sources = 0, name = None))]
     fn load(
@@ -129,13 +134,13 @@ impl Light {
         Self { entry: entries.remove(0), degree, sources: self.sources.clone() }
     }
 
-    /// The light with degree l times sinc⁴, (sin x / x)⁴ with x = π l / width, zero from ``width`` on:
-    /// less ringing, and softer.
+    /// The light with degree l times sinc⁴, (sin x / x)⁴ with x = π l / width, zero from ``width``
+    /// on: less ringing, and softer. It has no sources: they are in the harmonics.
     fn windowed(&self, width: f64) -> PyResult<Self> {
         if !(width > 0.0 && width.is_finite()) {
             return Err(refused(format!("a window of width {width}"), "give a width above 0"));
         }
-        let mut light = self.clone();
+        let mut light = Self { sources: Vec::new(), ..self.clone() };
         let window = Window::SincFourth { width };
         light.entry.rgb.iter_mut().for_each(|channel| window.apply(channel));
         Ok(light)
@@ -172,7 +177,11 @@ fn of_map(path: &Path, degree: usize, most: usize) -> Result<Light> {
         let what = format!("a light of degree {degree}");
         return Err(Error::new(what, format!("ask for at most {MOST_DEGREE}")));
     }
-    let map = Map::read(input_file(path), None)?;
+    let file = input_file(path);
+    let map = Map::read(file.clone(), None)?;
+    if is_picture(path) && map.reaches_white() {
+        file.warn("light is clipped at white: lamps and the sun are too dark");
+    }
     let frame = Frame::Eigenshade;
     let rgb = coefficients(&map, frame, degree).map_err(|error| error.in_file(path))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -9,7 +9,7 @@ use eigenshade_generator::material::fit::fit;
 use eigenshade_generator::material::measurements::{Measured, Measurement};
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::read_materials;
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::source::Gloss;
 use eigenshade_shading::presets;
 use eigenshade_shading::sources::gloss::{Fitter, of_measured};
@@ -23,8 +23,8 @@ use std::path::{Path, PathBuf};
 
 /// An isotropic material: its BRDF as Koenderink-van Doorn coefficients b_op^q in 1/sr.
 ///
-/// ``Material(coefficients, name="material")`` takes an array of shape (n,) or (3, n), in the order of
-/// ``indices``.
+/// ``Material(coefficients, name="material")`` takes an array of shape (n,) or (3, n), in the order
+/// of ``indices``.
 #[pyclass(module = "eigenshade", frozen)]
 #[derive(Clone)]
 pub struct Material {
@@ -53,8 +53,9 @@ impl Material {
 
     /// A glTF metallic-roughness material: a GGX lobe over a matte base.
     ///
-    /// ``color`` is one number or three, linear, or ``"#b87333"`` in sRGB. Order 7 suits roughness 0.6
-    /// and above, 12 with ``Table("pbr")`` 0.5; below, highlights come from the sources of the light.
+    /// ``color`` is one number or three, linear, or ``"#b87333"`` in sRGB. Order 7 suits roughness
+    /// 0.6 and above, 12 with ``Table("pbr")`` 0.5; below, highlights come from the sources of the
+    /// light.
     #[staticmethod]
     #[pyo3(signature = (color, *, metallic = 0.0, roughness = 0.5, order = 7, name = "gltf"))]
     fn gltf(
@@ -95,8 +96,21 @@ impl Material {
         done(py, "material", move || of_surface(&analytic.surface()?, 0))
     }
 
-    /// Reads a material CSV of the program, measurements (a CSV, a CUReT folder), a MERL ``.binary`` or
-    /// a ``.toml`` of formulas. ``name`` is one of several; ``order`` is that of the fit.
+    /// A shipped material at an order of its own: 7, or 12 for ``Table("pbr")``.
+    #[staticmethod]
+    #[pyo3(signature = (name, *, order = 7))]
+    fn shipped(name: &str, order: usize) -> PyResult<Self> {
+        let found =
+            crate::shipped::materials(order)?.into_iter().find(|one| one.entry.name == name);
+        found.ok_or_else(|| {
+            let what = format!("no shipped material `{name}`");
+            refused(what, "iterate over `materials` for their names")
+        })
+    }
+
+    /// Reads a material CSV of the program, measurements (a CSV, a CUReT folder), a MERL
+    /// ``.binary`` or a ``.toml`` of formulas. ``name`` is one of several; ``order`` is that of the
+    /// fit.
     #[staticmethod]
     #[pyo3(signature = (path, *, order = None, name = None))]
     fn load(
@@ -108,8 +122,8 @@ impl Material {
         done(py, "material", move || of_file(&path, order, name.as_deref()))
     }
 
-    /// Fits measurements by weighted least squares: a row for each, ``directions`` (N, 4) with θ_i, φ_i,
-    /// θ_r and φ_r in radians, ``values`` (N, 3) the BRDF in 1/sr.
+    /// Fits measurements by weighted least squares: a row for each, ``directions`` (N, 4) with θ_i,
+    /// φ_i, θ_r and φ_r in radians, ``values`` (N, 3) the BRDF in 1/sr.
     #[staticmethod]
     #[pyo3(signature = (directions, values, *, order = 7, name = "material"))]
     fn fit(
@@ -167,8 +181,8 @@ impl Material {
         Ok(PyArray2::from_vec2(py, &rows)?)
     }
 
-    /// The GGX lobe over a matte base that reflects small sources: a dictionary with ``roughness``, and
-    /// ``f0``, ``f90`` and ``albedo`` in red, green and blue. ``None`` if it is not known.
+    /// The GGX lobe over a matte base that reflects small sources: a dictionary with ``roughness``,
+    /// and ``f0``, ``f90`` and ``albedo`` in red, green and blue. ``None`` if it is not known.
     #[getter]
     fn gloss<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let Some(Gloss { roughness, reflectance, grazing, albedo }) = self.gloss else {
@@ -230,8 +244,8 @@ fn of_measurements(measured: Measured, order: usize) -> Result<Material> {
 
 fn of_file(path: &Path, order: Option<usize>, name: Option<&str>) -> Result<Material> {
     let is_csv = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
-    if is_csv && let Ok(found) = read_materials(input_file(path), order) {
-        return of_coefficients(path, found.order, name);
+    if is_csv && has_coefficients(&input_file(path))? {
+        return of_coefficients(path, order, name);
     }
     let order = order.unwrap_or(ORDER);
     let mut sources = files::read(input_file(path))?;
@@ -251,13 +265,26 @@ fn of_file(path: &Path, order: Option<usize>, name: Option<&str>) -> Result<Mate
     }
 }
 
+/// Whether the columns of a CSV are those of coefficients.
+fn has_coefficients(file: &InputFile) -> Result<bool> {
+    let text = file.text()?;
+    let header = text.lines().find(|line| !line.starts_with('#')).unwrap_or_default();
+    let columns: Vec<&str> = header.split(',').map(str::trim).collect();
+    Ok(["o", "p", "q"].iter().all(|column| columns.contains(column)))
+}
+
 /// One material of a CSV of coefficients, with the gloss beside it.
-fn of_coefficients(path: &Path, order: usize, name: Option<&str>) -> Result<Material> {
+fn of_coefficients(path: &Path, order: Option<usize>, name: Option<&str>) -> Result<Material> {
     let path = path.display().to_string();
     let source = name.map_or(path.clone(), |name| format!("{path}:{name}"));
     let Ok(source) = source.parse::<presets::Source>();
-    let materials = source.materials(usize::MAX)?;
-    let Materials { order, entries } = materials.truncated(order);
+    let found = source.materials(usize::MAX)?;
+    if let Some(order) = order.filter(|order| *order > found.order) {
+        let what = format!("its materials have order {}, not {order}", found.order);
+        return Err(Error::new(what, "give an `order` up to that").in_file(path));
+    }
+    let materials = found.truncated(order.unwrap_or(found.order));
+    let Materials { order, entries } = materials;
     let entry = source.only(entries)?;
     let gloss = source.gloss(&entry.name)?.map(|named| named.gloss);
     Ok(Material { entry, order, gloss })

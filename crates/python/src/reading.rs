@@ -1,6 +1,6 @@
 //! Light and material, read off a picture.
 
-use crate::arrays::{Numbers, of_rows, refused, triples};
+use crate::arrays::{Numbers, leading, of_rows, refused, triples};
 use crate::light::Light;
 use eigenshade_cli::reading::Reader;
 use eigenshade_generator::reading::observation::{EigenimageValues, Observer};
@@ -51,8 +51,8 @@ impl Reading {
         self.light.clone()
     }
 
-    /// The materials of the database, likeliest first: pairs of a name and the logarithm of the evidence
-    /// relative to the first.
+    /// The materials of the database, likeliest first: pairs of a name and the logarithm of the
+    /// evidence relative to the first.
     #[getter]
     fn materials(&self) -> Vec<(String, f64)> {
         self.materials.clone()
@@ -82,26 +82,28 @@ pub fn pixels(
     normals: &Numbers<'_>,
     mask: Option<&Numbers<'_>>,
 ) -> PyResult<Pixels> {
-    let normals = triples(normals, "normals")?;
     let values = picture.as_array();
-    let channels = match values.len() {
-        count if count == normals.len() => 1,
-        count if count == 3 * normals.len() => 3,
+    let (shape, places) = (values.shape(), leading(normals));
+    let channels = match shape {
+        _ if shape == places => 1,
+        [.., 3] if shape[..shape.len() - 1] == places => 3,
         _ => {
-            let what =
-                format!("a picture of shape {:?} with {} normals", values.shape(), normals.len());
-            return Err(refused(what, "give a normal for each pixel"));
+            let what = format!("a picture of shape {shape:?} with normals for {places:?}");
+            return Err(refused(what, "give (.., 3) or (..,) with normals (.., 3)"));
         }
     };
+    let normals = triples(normals, "normals")?;
     let values: Vec<f64> = values.iter().copied().collect();
     let weights: Vec<f64> = match mask {
+        Some(mask) if mask.as_array().shape() != places => {
+            let what = format!("a mask of shape {:?} for {places:?}", mask.as_array().shape());
+            return Err(refused(what, "give a weight for each pixel"));
+        }
         Some(mask) => mask.as_array().iter().copied().collect(),
         None => vec![1.0; normals.len()],
     };
-    if weights.len() != normals.len() || weights.iter().any(|one| !(*one >= 0.0 && one.is_finite()))
-    {
-        let what = format!("a mask of {} weights for {} pixels", weights.len(), normals.len());
-        return Err(refused(what, "give a finite weight of at least 0 for each pixel"));
+    if let Some(wrong) = weights.iter().find(|one| !(0.0..=LARGEST).contains(*one)) {
+        return Err(refused(format!("a weight of {wrong}"), "give weights from 0 to 1e100"));
     }
     let mut each = Vec::new();
     for ((normal, pixel), weight) in normals.into_iter().zip(values.chunks(channels)).zip(weights) {
@@ -116,11 +118,24 @@ pub fn pixels(
             each.push((normal, [0, 1, 2].map(|c: usize| pixel[c.min(channels - 1)]), weight));
         }
     }
+    let largest = each.iter().flat_map(|one| one.1).fold(0.0, |most: f64, one| most.max(one.abs()));
+    if !(LARGEST.recip()..=LARGEST).contains(&largest) {
+        let what = format!("the largest number of the pixels that count is {largest:e}");
+        return Err(refused(what, "show the object, and scale the picture to 1e-100 to 1e100"));
+    }
     Ok(Pixels { channels, each })
 }
 
+/// The largest value of a picture, as of the program: its square times any number of pixels is
+/// finite.
+const LARGEST: f64 = 1e100;
+
 /// Reads pixels by a table that was made of shipped databases.
 pub fn read(table: &Table, pixels: &Pixels, noise: Option<f64>) -> Result<Reading> {
+    if let Some(noise) = noise.filter(|noise| !(LARGEST.recip()..=LARGEST).contains(noise)) {
+        let what = format!("a noise of {noise}");
+        return Err(Error::new(what, "give a standard deviation from 1e-100 to 1e100"));
+    }
     let scene = &table.scene.material;
     let read = |path: &Path| shipped::materials_in(path).map(|all| (all, usize::MAX));
     let (Materials { order, mut entries }, _) =

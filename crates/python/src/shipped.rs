@@ -20,7 +20,7 @@ pub fn lights() -> PyResult<Vec<Light>> {
     Ok(lights.entries.iter().cloned().map(light).collect())
 }
 
-/// The shipped materials of an order: 7, or 12 for the table `pbr`.
+/// The shipped materials, projected to order 7 or, from 12 on, to 12.
 #[pyfunction]
 pub fn materials(order: usize) -> PyResult<Vec<Material>> {
     let Materials { order, entries } = shipped::named_materials(order).map_err(raised)?;

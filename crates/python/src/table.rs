@@ -1,6 +1,8 @@
 //! A table: the eigenimages of a sphere, and what they serve for.
 
-use crate::arrays::{Numbers, normals, of_channels, of_matrices, of_rows, raised, refused};
+use crate::arrays::{
+    Numbers, leading, normals, of_channels, of_matrices, of_rows, placed, raised, refused,
+};
 use crate::light::Light;
 use crate::material::Material;
 use crate::reading::{self, Reading};
@@ -31,11 +33,11 @@ use std::sync::Arc;
 /// A table of eigenimages: U, M and what projects a light on a material, d = UᵀMc.
 ///
 /// ``Table(name="color")`` is a shipped one: ``color`` (160 components of degree 9 and order 7),
-/// ``sphere`` (the one that devices have), ``curet`` (the paper's materials) or ``pbr`` (degree and order
-/// 12, for glTF materials).
+/// ``sphere`` (the one that devices have), ``curet`` (the paper's materials) or ``pbr`` (degree and
+/// order 12, for glTF materials).
 ///
-/// Modes s = (l, m, o, p, q) are in the order of ``modes``, c_s = L_l^m b_op^q. "(n)" is an equation of
-/// Nillius and Eklundh, ICCV 2003.
+/// Modes s = (l, m, o, p, q) are in the order of ``modes``, c_s = L_l^m b_op^q. "(n)" is an
+/// equation of Nillius and Eklundh, ICCV 2003.
 #[pyclass(module = "eigenshade", frozen)]
 pub struct Table {
     table: Arc<eigenshade_table::Table>,
@@ -101,8 +103,8 @@ impl Table {
     }
 
     /// The matrix from the light of one channel to d, channel by channel of the material: float64
-    /// (3, K, (degree + 1)²). ``matrix[0] @ light.coefficients[0]`` is ``project(light, material)[0]``,
-    /// less its value under no light for a table with a mean image.
+    /// (3, K, (degree + 1)²). ``matrix[0] @ light.coefficients[0]`` is ``project(light,
+    /// material)[0]``, less its value under no light for a table with a mean image.
     fn matrix<'py>(
         &self,
         py: Python<'py>,
@@ -129,29 +131,31 @@ impl Table {
         Ok(of_matrices(py, (rows, columns), &matrices.map_err(raised)?))
     }
 
-    /// The eigenimages U_i at normals (.., 3): float64 (N, K). An image is ``eigenimages(n) @ d.T``.
+    /// The eigenimages U_i at normals (.., 3): float64 (.., K). An image is ``eigenimages(n) @
+    /// d.T``.
     fn eigenimages<'py>(
         &self,
         py: Python<'py>,
         normals: Numbers<'_>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let places = leading(&normals);
         let normals = self::normals(&normals)?;
         let images = py.detach(|| self.evaluator.eigenimages(&normals));
         let rows: Vec<Vec<f64>> = (0..self.components()).map(|k| images.eigenimage(k)).collect();
-        of_rows(py, &rows).getattr("T")
+        placed(&of_rows(py, &rows).getattr("T")?, places, Some(rows.len()))
     }
 
-    /// The mean image at normals (.., 3): float64 (N,). It is 0 for an image-centered table.
+    /// The mean image at normals (.., 3): float64 (..,). It is 0 for an image-centered table.
     fn mean_image<'py>(
         &self,
         py: Python<'py>,
         normals: Numbers<'_>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let images = self.evaluator.eigenimages(&self::normals(&normals)?);
-        Ok(images.mean().to_pyarray(py))
+        placed(&images.mean().to_pyarray(py), leading(&normals), None)
     }
 
-    /// The irradiance of normals (.., 3) in f64: float64 (N, 3), times the albedo as the BRDF has it.
+    /// The irradiance of normals (.., 3) in f64, with the BRDF's albedo in it: float64 (.., 3).
     fn shade<'py>(
         &self,
         py: Python<'py>,
@@ -159,19 +163,21 @@ impl Table {
         material: &Material,
         normals: Numbers<'_>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let places = leading(&normals);
         let normals = self::normals(&normals)?;
         let d = self.projected(&light.entry, &material.entry).map_err(raised)?;
         let rgb = py.detach(|| {
             let images = self.evaluator.eigenimages(&normals);
             d.each_ref().map(|d| images.reconstruct(d))
         });
-        of_channels(py, &rgb).getattr("T")
+        placed(&of_channels(py, &rgb).getattr("T")?, places, Some(3))
     }
 
     /// The picture of a sphere, ``size`` pixels across, in the numbers of a device's f32: float32
     /// (size, size, 4), linear red, green, blue and the covered share of a pixel.
     ///
-    /// The first ``sources`` of the light become highlights by the gloss of the material.
+    /// The first ``sources`` of the light become highlights by the gloss of the material. The light
+    /// has no window, which the program chooses by itself.
     #[pyo3(signature = (light, material, size = 240, *, sources = 0))]
     fn render<'py>(
         &self,
@@ -188,17 +194,17 @@ impl Table {
         Ok(picture.map_err(raised)?.into_pyarray(py))
     }
 
-    /// c = Ud of coefficients (3, K) or (K,), (42): float64 (3, modes).
+    /// c = Ud of coefficients (3, K) or (K,), (42): float64 (3, modes) or (modes,).
     fn lift<'py>(&self, py: Python<'py>, d: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         d.matmul(self.mode_coefficients(py)?.getattr("T")?)
     }
 
     /// Reads components, light and material off a picture.
     ///
-    /// ``picture`` has linear irradiances, (.., 3) or gray (..,); ``normals`` (.., 3) those of its pixels,
-    /// with NaN or zeros where there is no object; ``mask`` (..,) the weight of each pixel. ``noise`` is
-    /// the standard deviation of a pixel, by default that of the residual. The statistics are those of
-    /// the shipped lights and materials that the table was made of.
+    /// ``picture`` has linear irradiances, (.., 3) or gray (..,); ``normals`` (.., 3) those of its
+    /// pixels, with NaN or zeros where there is no object; ``mask`` (..,) the weight of each pixel.
+    /// ``noise`` is the standard deviation of a pixel, by default that of the residual. The
+    /// statistics are those of the shipped lights and materials that the table was made of.
     #[pyo3(signature = (picture, normals, mask = None, *, noise = None))]
     fn read(
         &self,
@@ -287,8 +293,8 @@ impl Table {
         table_arrays::by_component(&self.table, |profile| &profile.chebyshev).into_pyarray(py)
     }
 
-    /// The eigenvalue of each component, (24): float64 (K,). NaN for the constant of an image-centered
-    /// table.
+    /// The eigenvalue of each component, (24): float64 (K,). NaN for the constant of an
+    /// image-centered table.
     #[getter]
     fn eigenvalues<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let values = self.table.components.iter().map(|one| one.eigenvalue.unwrap_or(f64::NAN));

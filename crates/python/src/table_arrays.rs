@@ -1,5 +1,5 @@
-//! The numbers of a table over all modes, as arrays. Modes are sorted by m from -degree to degree, and
-//! within one m in the order of [`mode`].
+//! The numbers of a table over all modes, as arrays. Modes are sorted by m from -degree to degree,
+//! and within one m in the order of [`mode`].
 
 use crate::arrays::raised;
 use eigenshade_model::error::Error;

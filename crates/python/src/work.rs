@@ -1,10 +1,10 @@
 //! Work that takes long, and what it says.
 
-use crate::arrays::{raised, refused};
+use crate::arrays::raised;
 use eigenshade_cli::messages::spinner;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
-use pyo3::exceptions::PyUserWarning;
+use pyo3::exceptions::{PyRuntimeError, PyUserWarning};
 use pyo3::prelude::*;
 use rayon::ThreadPoolBuilder;
 use std::ffi::CString;
@@ -37,31 +37,45 @@ pub fn done<T: Send + 'static>(
     });
     let receiver = Mutex::new(receiver);
     let progress = spinner(what);
-    loop {
+    let result = loop {
         let next = py.detach(|| receiver.lock().expect("one reader").recv_timeout(PAUSE));
         match next {
-            Ok(result) => {
-                progress.finish_and_clear();
-                return result.map_err(raised);
-            }
+            Ok(result) => break result.map_err(raised),
             Err(RecvTimeoutError::Timeout) => {
-                py.check_signals().inspect_err(|_| progress.finish_and_clear())?;
+                if let Err(interrupted) = py.check_signals() {
+                    break Err(interrupted);
+                }
             }
             Err(RecvTimeoutError::Disconnected) => {
-                return Err(refused("the work stopped with a panic", "report it"));
+                let what = "the work stopped with a panic; please report it";
+                break Err(PyRuntimeError::new_err(what));
             }
         }
+    };
+    progress.finish_and_clear();
+    warn(py)?;
+    result
+}
+
+/// Warnings of files that were read. Files do not know who reads them: with several threads, one
+/// may get those of another.
+static WARNINGS: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Raises the warnings in the thread of the caller.
+fn warn(py: Python<'_>) -> PyResult<()> {
+    let warnings = WARNINGS.lock().map(|mut all| std::mem::take(&mut *all)).unwrap_or_default();
+    for text in warnings {
+        let category = py.get_type::<PyUserWarning>();
+        PyErr::warn(py, &category, &CString::new(text).unwrap_or_default(), 1)?;
     }
+    Ok(())
 }
 
 /// A file whose warnings are those of Python.
 pub fn input_file(path: impl AsRef<Path>) -> InputFile {
     InputFile::new(path).with_warnings(|path, what| {
-        Python::attach(|py| {
-            let text = CString::new(format!("{}: {what}", path.display())).unwrap_or_default();
-            let category = py.get_type::<PyUserWarning>();
-            // If warnings are errors, the file is read all the same.
-            let _ = PyErr::warn(py, &category, &text, 2);
-        });
+        if let Ok(mut all) = WARNINGS.lock() {
+            all.push(format!("{}: {what}", path.display()));
+        }
     })
 }

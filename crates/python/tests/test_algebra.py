@@ -1,5 +1,7 @@
 """The equations of the paper, by numpy alone."""
 
+import copy
+
 import eigenshade as es
 import numpy as np
 import pytest
@@ -116,6 +118,46 @@ def test_a_fit_finds_a_material_again():
     assert np.abs(found.coefficients[:, 1:]).max() < 1e-3
 
 
+def test_normals_keep_their_places(table):
+    normals = np.random.default_rng(5).normal(size=(4, 6, 3))
+    normals[..., 2] = np.abs(normals[..., 2])
+    flat = normals.reshape(-1, 3)
+    assert (table.eigenimages(normals).reshape(24, -1) == table.eigenimages(flat)).all()
+    assert (table.shade(LIGHT, MATERIAL, normals).reshape(24, 3) == table.shade(LIGHT, MATERIAL, flat)).all()
+    assert table.mean_image(normals).tolist() == np.zeros((4, 6)).tolist()
+    assert table.shade(LIGHT, MATERIAL, [0, 0, 1]).shape == (3,)
+
+
+def test_a_window_scales_degrees_and_leaves_no_sources():
+    light = es.lights.lobby.truncated(2).windowed(4)
+    scale = [1, np.sinc(1 / 4) ** 4, np.sinc(2 / 4) ** 4]
+    expected = es.lights.lobby.truncated(2).coefficients * np.repeat(scale, [1, 3, 5])
+    assert np.allclose(light.coefficients, expected, rtol=1e-12)
+    assert len(es.lights.lobby.sources) > 0 and len(light.sources) == 0
+
+
+def test_a_mask_and_a_gray_picture_are_read(table):
+    normals = np.random.default_rng(6).normal(size=(40, 50, 3))
+    normals[..., 2] = np.abs(normals[..., 2])
+    picture = table.shade(LIGHT, MATERIAL, normals)[..., 0]
+    whole = table.read(picture, normals, noise=1e-6)
+    assert whole.d.shape == (1, table.components) and whole.pixels == 2000
+    assert np.allclose(whole.d[0], table.project(LIGHT, MATERIAL)[0], atol=1e-3 * np.abs(whole.d).max())
+    mask = np.ones((40, 50))
+    mask[:10] = 0
+    spoiled = picture.copy()
+    spoiled[:10] = 7
+    masked = table.read(spoiled, normals, mask, noise=1e-6)
+    assert masked.pixels == 1500
+    assert np.allclose(masked.d, whole.d, atol=1e-3 * np.abs(whole.d).max())
+
+
+def test_a_table_of_higher_order_takes_materials_of_its_order():
+    chrome = es.Material.shipped("chrome", order=12)
+    assert chrome.order == 12 and len(chrome.indices) == chrome.coefficients.shape[1]
+    assert es.Table("pbr").project(LIGHT, chrome).shape == (3, es.Table("pbr").components)
+
+
 @pytest.mark.parametrize(
     "wrong, text",
     [
@@ -129,6 +171,13 @@ def test_a_fit_finds_a_material_again():
         (lambda: es.Table().render(LIGHT, MATERIAL, 1), "1 pixels across; ask for 2 to 8192"),
         (lambda: es.Table().shade(LIGHT, MATERIAL, [0, 0, -1]), "normal 0 is (0, 0, -1)"),
         (lambda: es.Table().read([1.0], [[0, 0, 1]]), "1 pixels for 160 components"),
+        (lambda: es.Table().read(np.ones((3, 4, 4)), np.ones((4, 4, 3))), "a picture of shape [3, 4, 4]"),
+        (lambda: es.Table().read(np.ones((2, 3)), np.ones((3, 2, 3))), "a picture of shape [2, 3]"),
+        (lambda: es.Table().read(np.ones(4), np.ones((4, 3)), [1, 1]), "a mask of shape [2]"),
+        (lambda: es.Table().read(np.ones(4), np.ones((4, 3)), [1, 1, 1, -1]), "a weight of -1"),
+        (lambda: es.Table().read(np.ones(4), np.ones((4, 3)), noise=0), "a noise of 0"),
+        (lambda: es.Table().read(np.zeros(4), np.ones((4, 3))), "the pixels that count is 0e0"),
+        (lambda: es.Material.shipped("moon"), "no shipped material `moon`"),
         (lambda: es.Light.load("no.exr"), "no.exr"),
         (lambda: es.lights.lobby.rotated(yaw=np.inf), "an angle is not finite"),
     ],
@@ -142,7 +191,10 @@ def test_what_is_wrong_is_a_value_error_that_says_what_to_do(wrong, text):
 
 def test_names_are_attributes_and_keys():
     assert es.lights.lobby.name == es.lights["lobby"].name == "lobby"
-    assert len(es.lights) == len(list(es.lights)) == len(dir(es.lights)) == 26
+    assert len(es.lights) == len(list(es.lights)) == len(es.lights.keys())
+    assert "lobby" in es.lights and "moon" not in es.lights
+    assert "gold_metallic_paint" in dir(es.materials)
+    assert copy.copy(es.lights)["lobby"].name == "lobby"
     with pytest.raises(AttributeError, match="no shipped light `moon`"):
         es.lights.moon
     with pytest.raises(KeyError, match="no shipped material"):

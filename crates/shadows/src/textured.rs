@@ -1,10 +1,12 @@
-//! Objects that shadow themselves in glTF's materials, whose base color differs from pixel to pixel.
+//! Objects that shadow themselves in glTF's materials, whose base color differs from pixel to
+//! pixel.
 //!
 //! The BRDF of one roughness is a sum of three: a matte base W of albedo 1 under a lobe without
-//! reflectance, the lobes L_0 without reflectance and L_1 with the reflectance 1. A point with the matte
-//! share a and the reflectance f0 has a (W - L_0) + (1 - f0) L_0 + f0 L_1. By its base color and by its
-//! metallic m, that is base color x T + P. T has the matte share s, s (W - L_0) + m (L_1 - L_0). P, which
-//! a black base color has, is (1 - p) L_0 + p L_1 with p = 0.04 (1 - m).
+//! reflectance, the lobes L_0 without reflectance and L_1 with the reflectance 1. A point with the
+//! matte share a and the reflectance f0 has a (W - L_0) + (1 - f0) L_0 + f0 L_1. By its base color
+//! and by its metallic m, that is base color x T + P. T has the matte share s,
+//! s (W - L_0) + m (L_1 - L_0). P, which a black base color has, is (1 - p) L_0 + p L_1 with
+//! p = 0.04 (1 - m).
 
 use crate::directions::{FINE, cells};
 use crate::eigenimages::eigenimages;
@@ -81,8 +83,8 @@ pub struct TexturedTransports {
 }
 
 impl Textured {
-    /// The pixels of a picture of an asset, sampled as [`Texels::of`], without its occlusion, which is in
-    /// the shadows.
+    /// The pixels of a picture of an asset, sampled as [`Texels::of`], without its occlusion, which
+    /// is in the shadows.
     ///
     /// # Errors
     ///
@@ -156,7 +158,8 @@ impl Textured {
         })
     }
 
-    /// Whether the roughness is within a share of that of all but a tenth of the covered area.
+    /// Whether the roughness is within a share of the 5th and of the 95th percentile over the
+    /// covered area.
     #[must_use]
     pub fn is_of_one_roughness(&self, within: f32) -> bool {
         let [low, high] = self.roughnesses.map(|one| one.max(KNOTS[0]));
@@ -228,8 +231,8 @@ impl Textured {
         })
     }
 
-    /// Irradiances of blends of the three materials. `of_channels` gives the albedo of each blend from the albedos
-    /// in the three channels.
+    /// Irradiances of blends of the three materials. `of_channels` gives the albedo of each blend
+    /// from the albedos in the three channels.
     fn blended<const N: usize>(
         &self,
         blends: &dyn Fn(&Texel) -> Vec<Vec<f64>>,
@@ -282,8 +285,8 @@ impl TexturedTransports {
         self.base_colors.iter().enumerate().map(of_pixel).collect()
     }
 
-    /// The file of the runtime's `TexturedObject`, for [smoothed](crate::object::Object::smoothed) lights
-    /// like these that turn.
+    /// The file of the runtime's `TexturedObject`, for [smoothed](crate::object::Object::smoothed)
+    /// lights like these that turn.
     ///
     /// # Errors
     ///
@@ -309,8 +312,8 @@ impl TexturedTransports {
     }
 }
 
-/// The matte share of T, the mean of the channels' (1 - metallic) (1 - f0); metallic; and the reflectance
-/// of P.
+/// The matte share of T, the mean of the channels' (1 - metallic) (1 - f0); metallic; and the
+/// reflectance of P.
 fn shares(texel: &Texel) -> [f64; 3] {
     let metallic = f64::from(texel.metallic).clamp(0.0, 1.0);
     let f0 = texel.reflectance.iter().sum::<f32>() / 3.0;

@@ -48,7 +48,7 @@ pub const MATTE_PROJECTION: f64 = 2e-12;
 /// Figures of fits, recorded with six decimals.
 pub const RECORDED_FIGURE: f64 = 1e-6;
 
-/// Second moments of light rotated about the vertical axis, relative to the largest: exact sums.
+/// Second moments of weighted lights, relative to the largest: exact sums.
 pub const MOMENTS: f64 = 2e-14;
 
 // The direct sum

@@ -25,27 +25,30 @@ const PER_LINE: usize = 20;
 /// Pack an object for the runtime: its normals, and its own materials if it has some
 ///
 /// A file with materials becomes an `Object`: for each pixel a normal within 0.51 degrees, a base
-/// color, a coverage, and one of a few regions of the same metallic and roughness. Each region needs
-/// a palette of 13 KB when it is drawn. Occlusion darkens the base colors of what is matte.
+/// color, a coverage, and one of a few regions of the same metallic and roughness. Each region
+/// needs a palette of 13 KB when it is drawn. Occlusion darkens the base colors of what is matte.
 ///
-/// Without materials, or with --normals-only, the file becomes a `NormalMap`, two bytes a pixel, to be
-/// drawn in any material. A normal map has x in red, y (up) in green and z in blue; its opacity is the
-/// object's coverage.
+/// Without materials, or with --normals-only, the file becomes a `NormalMap`, two bytes a pixel, to
+/// be drawn in any material. A normal map has x in red, y (up) in green and z in blue; its opacity
+/// is the object's coverage.
 ///
-/// A mesh is seen from +z, with x to the right and y up. The output is the bytes; Rust source with the
-/// object as the static `OBJECT`, or the map as `MAP`; or, for F.h, a C header with the constant
-/// `object_F`, `shadowed_object_F` or `normal_map_F` for `eigenshade.h`.
+/// With --shadows, a mesh becomes a `ShadowedObject` in one --material, or without one a
+/// `TexturedObject` in its own, which C does not draw.
+///
+/// A mesh is seen from +z, with x to the right and y up. The output is the bytes; Rust source with
+/// the object as the static `OBJECT`, or the map as `MAP`; or, for F.h, a C header with the
+/// constant `object_F`, `shadowed_object_F` or `normal_map_F` for `eigenshade.h`.
 #[derive(Args, Debug)]
 pub struct PackObject {
     /// A mesh (.glb, .gltf, .obj, .ply, .stl), a normal map (.png), or `sphere`
     #[arg(id = "normals", value_name = "OBJECT")]
     object: PathBuf,
-    /// Pixels across the longer side, 2 to 4096, with --shadows to 512; a normal map can only shrink [default: 240, or all
-    /// of a normal map]
+    /// Pixels across the longer side, 2 to 4096, with --shadows to 512; a normal map can only
+    /// shrink [default: 240, or all of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 4096))]
     size: Option<usize>,
-    /// The most regions, 1 to 16; fewer if they keep 19 of 20 pixels within 0.1 in metallic and 15 % in
-    /// roughness
+    /// The most regions, 1 to 16; fewer if they keep 19 of 20 pixels within 0.1 in metallic and 15
+    /// % in roughness
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = count(1, MOST_REGIONS as u64))]
     regions: usize,
     /// Pack the normals alone

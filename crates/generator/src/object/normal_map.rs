@@ -202,7 +202,7 @@ fn normal(map: &PngSamples, number: usize, color: [u16; 3]) -> Result<Option<[f6
         let (column, row) = (number % map.width, number / map.width);
         Error::new(
             format!("pixel {column}, {row} (from 0): {what}"),
-            "mask it, or make it transparent: only pixels that show the object may count",
+            "make it transparent: only pixels that show the object may count",
         )
     })
 }

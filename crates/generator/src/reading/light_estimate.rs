@@ -1,10 +1,8 @@
 //! Estimates the light of an image of a known material. The problem is linear: d = T L.
 //!
-//! The prior of L is s times a light with the database's statistics, where s is the exposure. If
-//! light rotates freely, the prior has mean zero and variance (38) for l > 0, and L_0^0 has the
-//! mean (39) and its variance. Otherwise it has the mean and covariance of the database's lights,
-//! which span at most as many directions as there are lights. Degrees that the material damps below
-//! the noise come out near zero rather than as noise.
+//! The prior of L is s times a light with the database's statistics, where s is the exposure: mean
+//! zero and variance (38) for l > 0, and for L_0^0 the mean (39) and its variance. Degrees that the
+//! material damps below the noise come out near zero rather than as noise.
 //!
 //! [`rank`] identifies the database material that an image shows. Each material is fitted with its
 //! best light. A material that shapes light in many ways can imitate one that does so in few, so

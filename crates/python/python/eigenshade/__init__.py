@@ -27,13 +27,21 @@ class Named:
         try:
             return self._entries[name]
         except KeyError:
-            raise KeyError(f"no shipped {self._kind} `{name}`; iterate over them for their names") from None
+            raise KeyError(f"no shipped {self._kind} `{name}`; keys() are their names") from None
+
+    def __contains__(self, name):
+        return name in self._entries
+
+    def keys(self):
+        return self._entries.keys()
 
     def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
         for entry in self._entries.values():
             if _attribute(entry.name) == name:
                 return entry
-        raise AttributeError(f"no shipped {self._kind} `{name}`; dir() lists their names")
+        raise AttributeError(f"no shipped {self._kind} `{name}`; keys() are their names")
 
     def __dir__(self):
         return sorted(name for name in map(_attribute, self._entries) if name.isidentifier())
