@@ -142,7 +142,7 @@ fn answers_as_json() {
     };
     let table = folder.table("b.bin");
     let info = parsed("info -t b.bin");
-    assert_eq!((&info["degree"], &info["normals"]), (&4.into(), &"sphere".into()));
+    assert_eq!(info["degree"], 4);
     assert_eq!(info["components"], table.count());
     assert_eq!(info["bytes"]["file"], folder.bytes("b.bin").len());
     // The same names as in the text.

@@ -81,8 +81,6 @@ fn degree_and_order_stay_where_they_are_not_chosen() {
     let black = format!("name,o,p,q,value\n{}", zeros.collect::<String>());
     for (from, to, why) in [
         ("[basis]", "[basis]\nmodes = 60", "modes"),
-        ("\"sphere\"", "\"normals.csv\"", "spheres"),
-        ("\"any\"", "\"none\"", "freely"),
         ("\"materials.csv\"", "\"black.csv\"", "black"),
     ] {
         let folder = with_tolerance("0.05", "");

@@ -199,10 +199,7 @@ fn irradiance_below_zero_is_clamped_on_request() {
 #[test]
 fn tolerances_and_sizes_are_refused_where_they_cannot_hold() {
     let folder = Folder::with_table();
-    folder.write("object.toml", folder.read("scene.toml").replace("\"sphere\"", "\"normals.csv\""));
-    folder.ok("basis --scene object.toml --out object.bin");
     for (options, fragments) in [
-        ("--table object.bin --tolerance 1e-2", ["sphere", "leave --tolerance out"]),
         ("--table b.bin --tolerance 1e-2 --format q15", ["--tolerance", "polynomial in f32"]),
         ("--table b.bin --tolerance 1e-2 --method eigen", ["--tolerance", "polynomial in f32"]),
         ("--table b.bin --tolerance 1e-2 --format f64", ["--tolerance", "polynomial in f32"]),
