@@ -7,7 +7,7 @@ use numpy::{AllowTypeChange, PyArray2, PyArray3, PyArrayLikeDyn, ToPyArray as _}
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// What is taken as an array of numbers: an array of any type, or lists.
+/// An array argument: a numpy array of any numeric type, or nested lists.
 pub type Numbers<'py> = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
 
 /// A `ValueError` in the words of the program.

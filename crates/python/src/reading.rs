@@ -14,7 +14,7 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// What is read off a picture. The channels are red, green and blue, or one of a gray picture.
+/// The result of ``Table.read``. Channels are red, green and blue, or a single gray one.
 #[pyclass(module = "eigenshade", frozen)]
 pub struct Reading {
     d: Vec<Vec<f64>>,

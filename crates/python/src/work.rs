@@ -26,7 +26,7 @@ pub fn done<T: Send + 'static>(
 ) -> PyResult<T> {
     let (sender, receiver) = channel();
     thread::spawn(move || {
-        // On threads of its own: work that nobody waits for any more would hold up what comes next.
+        // A pool for each call: after Ctrl-C the abandoned work must not block the next call.
         let pool = ThreadPoolBuilder::new().build();
         let result = pool.map_or_else(
             |_| Err(Error::new("no threads can be had", "end other programs")),

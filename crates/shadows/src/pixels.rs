@@ -9,7 +9,7 @@ const SHADED: usize = 2;
 const COUNTED: usize = 4;
 
 /// The largest picture, in pixels across.
-const MOST_SIDE: usize = 512;
+pub(crate) const MOST_SIDE: usize = 512;
 
 /// The pixels of a square picture that show an object, row by row from the top.
 pub struct Pixels {

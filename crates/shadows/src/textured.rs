@@ -15,6 +15,7 @@ use crate::lit::BOUNCES;
 use crate::material::Material;
 use crate::object::{RANK, smoothed};
 use crate::packed::{Compression, packed};
+use crate::pixels::MOST_SIDE;
 use crate::transport::{Facing, Surroundings, blended};
 use crate::visibility::{Occluders, Place};
 use crate::weights::Columns;
@@ -30,15 +31,10 @@ use eigenshade_model::parallel::Progress;
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_model::srgb;
 use eigenshade_shading::textured::{KNOTS, Texel};
+use eigenshade_table::highlights::DIELECTRIC;
 use eigenshade_table::light;
 use eigenshade_table::shadowed::Tint;
 use faer::Mat;
-
-/// The reflectance of dielectrics at normal incidence.
-const DIELECTRIC: f64 = 0.04;
-
-/// The largest picture, in pixels across.
-const MOST_SIDE: usize = 512;
 
 /// The share of the covered area whose roughness may be below, and above, the range that is named.
 const BEYOND: f64 = 0.05;

@@ -106,7 +106,7 @@ mod encoding {
         pub coverage: u8,
     }
 
-    /// What a pixel with a base color has beside a [`Pixel`].
+    /// The second code and the base color of a pixel of a textured object.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Tint {
         /// The code of P.

@@ -73,7 +73,7 @@ struct Mesh {
 }
 
 impl Mesh {
-    /// Adds a sheet of so many cells, whose corners are a function of two numbers from 0 to 1.
+    /// Adds a grid of cells; `at` maps the unit square to the surface.
     fn sheet(&mut self, [across, along]: [usize; 2], at: impl Fn(f64, f64) -> [f64; 3]) {
         let part = |number: usize, of: usize| number as f64 / of as f64;
         let first = self.corners + 1;
