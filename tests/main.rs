@@ -34,6 +34,7 @@ mod runtime;
 mod shadowed_files;
 mod shadowed_objects;
 mod sources;
+mod textured_objects;
 mod truncation;
 mod truncation_sets;
 mod turned_lights;

@@ -1,6 +1,7 @@
 //! Files of objects with shadows: what is refused.
 
-use crate::shadowed_objects::{small, small_textured};
+use crate::shadowed_objects::small;
+use crate::textured_objects::small_textured;
 use eigenshade::Error;
 use eigenshade::object::{ShadowedObject, TexturedObject};
 use eigenshade_table::shadowed::File;
