@@ -314,7 +314,10 @@ pub mod screen {
     pub use crate::target::Target;
 }
 
-// Runs the README's examples as tests.
+// Runs the examples of the pages as tests.
 #[cfg(all(doctest, feature = "baked", feature = "presets"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
+#[cfg(all(doctest, feature = "baked", feature = "presets"))]
+#[doc = include_str!("../docs/rust.md")]
+struct Pages;

@@ -40,3 +40,20 @@ fn the_readme_draws_a_gold_sphere() {
     let bytes: Vec<u8> = integers.iter().flat_map(|pixel| pixel.to_le_bytes()).collect();
     assert_eq!(crc32fast::hash(&bytes), CHECKSUM);
 }
+
+/// The programs in C and JavaScript are those of the packages' pages, whose tests run them.
+#[test]
+fn programs_in_other_languages_are_the_packages() {
+    let readme = include_str!("../README.md");
+    let pages = [
+        ("c", include_str!("../crates/capi/README.md")),
+        ("html", include_str!("../packages/eigenshade/README.md")),
+    ];
+    for (language, page) in pages {
+        let first = |page: &'static str| {
+            let (_, rest) = page.split_once(&format!("```{language}\n")).expect("a program");
+            rest.split_once("```").expect("its end").0
+        };
+        assert_eq!(first(readme), first(page), "{language}");
+    }
+}

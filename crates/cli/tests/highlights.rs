@@ -1,7 +1,7 @@
 //! Small sources: finding them in a map, reading them from files, and pictures with them.
 
 use crate::support::{Folder, assert_contains, assert_fails};
-use eigenshade_cli::reading::pixels::LinearImage;
+use eigenshade_cli::pixels::LinearImage;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx};
 use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::source_csv::read_sources;

@@ -9,7 +9,7 @@ use eigenshade::sphere::color::Scene;
 use eigenshade::{Light, Normal, Rgb, Rotation, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::SphereView;
-use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
+use eigenshade_cli::pixels::{LinearImage, Transfer};
 use eigenshade_model::shipped;
 use eigenshade_model::sphere_rings::rings;
 use eigenshade_model::srgb::linear;

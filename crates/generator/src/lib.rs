@@ -96,6 +96,7 @@ pub mod reading {
     pub mod observation;
     pub mod posterior;
     pub mod rank_one;
+    pub mod reader;
     pub mod transfer;
 }
 

@@ -5,6 +5,7 @@
 mod arrays;
 mod light;
 mod material;
+mod picture;
 mod reading;
 mod shipped;
 mod table;

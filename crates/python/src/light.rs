@@ -51,8 +51,9 @@ impl Light {
 
     /// Reads an environment map (.exr, .hdr, .pfm, .png, .jpg), or a light CSV of the program.
     ///
-    /// Of a map, ``degree`` is that of the harmonics, and ``sources`` the number of small bright
-    /// sources that are found in it for highlights, which takes half a minute. Of a CSV, ``name``
+    /// Of a map, ``degree`` is that of the harmonics, 9 by default as of the shipped table, and
+    /// ``sources`` the number of small bright sources that are found in it for highlights, which
+    /// takes half a minute. Of a CSV, ``name``
     /// is one of its lights, ``degree`` at most that of the file, and the sources are those beside
     /// it.
     #[staticmethod]
@@ -156,9 +157,7 @@ impl Light {
 const DEGREE: usize = 9;
 
 fn of_csv(path: &Path, degree: Option<usize>, most: usize, name: Option<String>) -> Result<Light> {
-    let path = path.display().to_string();
-    let source = name.map_or(path.clone(), |name| format!("{path}:{name}"));
-    let Ok(source) = source.parse::<presets::Source>();
+    let source = presets::Source::of_file(path, name);
     let Lights { degree: found, entries } = source.lights()?;
     let entry = source.only(entries)?;
     let sources = if most > 0 { source.sources(&entry.name, most)? } else { Vec::new() };

@@ -275,9 +275,7 @@ fn has_coefficients(file: &InputFile) -> Result<bool> {
 
 /// One material of a CSV of coefficients, with the gloss beside it.
 fn of_coefficients(path: &Path, order: Option<usize>, name: Option<&str>) -> Result<Material> {
-    let path = path.display().to_string();
-    let source = name.map_or(path.clone(), |name| format!("{path}:{name}"));
-    let Ok(source) = source.parse::<presets::Source>();
+    let source = presets::Source::of_file(path, name.map(str::to_owned));
     let found = source.materials(usize::MAX)?;
     if let Some(order) = order.filter(|order| *order > found.order) {
         let what = format!("its materials have order {}, not {order}", found.order);

@@ -2,8 +2,8 @@
 
 use crate::arrays::{Numbers, leading, of_rows, refused, triples};
 use crate::light::Light;
-use eigenshade_cli::reading::Reader;
-use eigenshade_generator::reading::observation::{EigenimageValues, Observer};
+use eigenshade_generator::reading::observation::{EigenimageValues, LARGEST, Observer};
+use eigenshade_generator::reading::reader::Reader;
 use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
@@ -125,10 +125,6 @@ pub fn pixels(
     }
     Ok(Pixels { channels, each })
 }
-
-/// The largest value of a picture, as of the program: its square times any number of pixels is
-/// finite.
-const LARGEST: f64 = 1e100;
 
 /// Reads pixels by a table that was made of shipped databases.
 pub fn read(table: &Table, pixels: &Pixels, noise: Option<f64>) -> Result<Reading> {

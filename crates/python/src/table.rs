@@ -5,25 +5,18 @@ use crate::arrays::{
 };
 use crate::light::Light;
 use crate::material::Material;
+use crate::picture;
 use crate::reading::{self, Reading};
 use crate::table_arrays;
 use crate::work::{done, input_file};
-use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::table;
 use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
-use eigenshade_model::database::Named;
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_model::highlights::take_out;
 use eigenshade_model::overflow;
-use eigenshade_model::source::Source;
-use eigenshade_shading::highlights;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_table::highlights::MAX_SOURCES;
 use eigenshade_table::light as positions;
-use numpy::ndarray::Array3;
+use eigenshade_table::material::count;
 use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, ToPyArray as _};
 use pyo3::basic::CompareOp;
 use pyo3::prelude::*;
@@ -41,7 +34,7 @@ use std::sync::Arc;
 #[pyclass(module = "eigenshade", frozen)]
 pub struct Table {
     table: Arc<eigenshade_table::Table>,
-    evaluator: Evaluator<Arc<eigenshade_table::Table>>,
+    evaluator: Arc<Evaluator<Arc<eigenshade_table::Table>>>,
 }
 
 #[pymethods]
@@ -99,7 +92,7 @@ impl Table {
         light: &Light,
         material: &Material,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        Ok(of_channels(py, &self.projected(&light.entry, &material.entry).map_err(raised)?))
+        Ok(of_channels(py, &self.projected(light, material).map_err(raised)?))
     }
 
     /// The matrix from the light of one channel to d, channel by channel of the material: float64
@@ -112,7 +105,8 @@ impl Table {
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let (rows, columns) = (self.components(), positions::count(self.degree()));
         let of_channel = |channel: &Vec<f64>| -> Result<Vec<f64>> {
-            let transfer = self.evaluator.transfer(&self.shortened(channel))?;
+            let channel = &channel[..channel.len().min(count(self.order()))];
+            let transfer = self.evaluator.transfer(channel)?;
             let dark = self.evaluator.relight(&transfer, &[]);
             let mut matrix = vec![0.0; rows * columns];
             let mut light = vec![0.0; columns];
@@ -140,8 +134,11 @@ impl Table {
     ) -> PyResult<Bound<'py, PyAny>> {
         let places = leading(&normals);
         let normals = self::normals(&normals)?;
-        let images = py.detach(|| self.evaluator.eigenimages(&normals));
-        let rows: Vec<Vec<f64>> = (0..self.components()).map(|k| images.eigenimage(k)).collect();
+        let (evaluator, count) = (Arc::clone(&self.evaluator), self.components());
+        let rows: Vec<Vec<f64>> = done(py, "eigenimages", move || {
+            let images = evaluator.eigenimages(&normals);
+            Ok((0..count).map(|k| images.eigenimage(k)).collect())
+        })?;
         placed(&of_rows(py, &rows).getattr("T")?, places, Some(rows.len()))
     }
 
@@ -165,11 +162,12 @@ impl Table {
     ) -> PyResult<Bound<'py, PyAny>> {
         let places = leading(&normals);
         let normals = self::normals(&normals)?;
-        let d = self.projected(&light.entry, &material.entry).map_err(raised)?;
-        let rgb = py.detach(|| {
-            let images = self.evaluator.eigenimages(&normals);
-            d.each_ref().map(|d| images.reconstruct(d))
-        });
+        let d = self.projected(light, material).map_err(raised)?;
+        let evaluator = Arc::clone(&self.evaluator);
+        let rgb = done(py, "irradiance", move || {
+            let images = evaluator.eigenimages(&normals);
+            Ok(d.each_ref().map(|d| images.reconstruct(d)))
+        })?;
         placed(&of_channels(py, &rgb).getattr("T")?, places, Some(3))
     }
 
@@ -190,8 +188,9 @@ impl Table {
         if !(2..=8192).contains(&size) {
             return Err(refused(format!("{size} pixels across"), "ask for 2 to 8192"));
         }
-        let picture = py.detach(|| self.picture(light, material, size, sources));
-        Ok(picture.map_err(raised)?.into_pyarray(py))
+        let (table, light, material) = (Arc::clone(&self.table), light.clone(), material.clone());
+        let drawn = move || picture::of_sphere(&table, &light, &material, size, sources);
+        Ok(done(py, "picture", drawn)?.into_pyarray(py))
     }
 
     /// c = Ud of coefficients (3, K) or (K,), (42): float64 (3, modes) or (modes,).
@@ -323,86 +322,17 @@ impl Table {
 impl Table {
     fn of(table: eigenshade_table::Table) -> Self {
         let table = Arc::new(table);
-        let evaluator = Evaluator::new(Arc::clone(&table));
+        let evaluator = Arc::new(Evaluator::new(Arc::clone(&table)));
         Self { table, evaluator }
     }
 
-    /// The numbers of a material's channel up to the table's order.
-    fn shortened(&self, material: &[f64]) -> Vec<f64> {
-        let most = eigenshade_table::material::count(self.order());
-        material.iter().copied().take(most).collect()
-    }
-
-    fn projected(&self, light: &Named, material: &Named) -> Result<[Vec<f64>; 3]> {
+    fn projected(&self, light: &Light, material: &Material) -> Result<[Vec<f64>; 3]> {
+        let (light, material) = picture::fitted(&self.table, light, material);
         let channel = |c: usize| {
-            let d = self.evaluator.project(&light.rgb[c], &self.shortened(&material.rgb[c]))?;
+            let d = self.evaluator.project(&light.rgb[c], &material.rgb[c])?;
             overflow::checked(d, &light.rgb[c], &material.rgb[c])
-                .map_err(|error| error.of(overflow::pair(light, material)))
+                .map_err(|error| error.of(overflow::pair(&light, &material)))
         };
         Ok([channel(0)?, channel(1)?, channel(2)?])
-    }
-
-    fn picture(
-        &self,
-        light: &Light,
-        material: &Material,
-        size: usize,
-        most: usize,
-    ) -> Result<Array3<f32>> {
-        let sources = self.sources(light, material, most)?;
-        let mut lit = light.entry.clone();
-        if let Some((_, sources)) = &sources {
-            take_out(&mut lit.rgb, light.degree, sources);
-        }
-        let count = positions::count(self.degree());
-        lit.rgb.iter_mut().for_each(|channel| channel.truncate(count));
-        let mut of_material = material.entry.clone();
-        of_material.rgb = of_material.rgb.map(|channel| self.shortened(&channel));
-        let basis = OwnedBasis::new(&self.table)?;
-        let mut shader = Shader::new(basis.basis().map_err(fault)?, self.components())
-            .with_transfers(basis.transfers());
-        let SphereView { pixels, normals, .. } = SphereView::new(size);
-        let normals = OwnedNormals::new(&normals);
-        let [r, g, b] = shader.color(&lit, &of_material, &normals)?;
-        let colors = r.into_iter().zip(g).zip(b).map(|((r, g), b)| eigenshade::Rgb::new(r, g, b));
-        let mut colors: Vec<eigenshade::Rgb<f32>> = colors.collect();
-        if let Some((gloss, sources)) = &sources {
-            let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-            let gloss = highlights::gloss(gloss)?;
-            let highlights = eigenshade::Highlights::<MAX_SOURCES>::new(&gloss, &sources);
-            let highlights = highlights.map_err(fault)?;
-            highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
-        }
-        let mut picture = Array3::zeros((size, size, 4));
-        for (pixel, color) in pixels.into_iter().zip(colors) {
-            let numbers = [color.r, color.g, color.b, pixel.coverage as f32];
-            for (channel, number) in numbers.into_iter().enumerate() {
-                picture[(pixel.row, pixel.column, channel)] = number;
-            }
-        }
-        Ok(picture)
-    }
-
-    /// The sources of a picture and the gloss that reflects them.
-    fn sources(
-        &self,
-        light: &Light,
-        material: &Material,
-        most: usize,
-    ) -> Result<Option<(eigenshade_model::source::Gloss, Vec<Source>)>> {
-        if most == 0 {
-            return Ok(None);
-        }
-        let gloss = material.gloss.ok_or_else(|| {
-            let what = format!("the gloss of `{}` is not known", material.entry.name);
-            Error::new(what, "use `Material.gltf`, a shipped material, or sources=0")
-        })?;
-        if light.sources.is_empty() {
-            let what = format!("`{}` has no sources", light.entry.name);
-            return Err(Error::new(what, "load the map with `sources=8`, or ask for sources=0"));
-        }
-        let is_shining = gloss.needs_sources();
-        let sources = light.sources.iter().take(most).copied().collect();
-        Ok(is_shining.then_some((gloss, sources)))
     }
 }

@@ -60,6 +60,12 @@ impl FromStr for Source {
 }
 
 impl Source {
+    /// All entries of a file, or the one of this name.
+    #[must_use]
+    pub fn of_file(path: impl Into<PathBuf>, name: Option<String>) -> Self {
+        Self { path: path.into(), entry: name.map_or(Entry::All, Entry::Named) }
+    }
+
     /// The file, or the shipped name.
     #[must_use]
     pub fn path(&self) -> &Path {

@@ -7,10 +7,12 @@ use eigenshade_asset::asset::Asset;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::object::is_mesh;
 use eigenshade_cli::output;
-use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
-use eigenshade_cli::reading::{Reader, pixels};
+use eigenshade_cli::pixels::{self, LinearImage, Transfer};
 use eigenshade_cli::table::{self, rounding};
-use eigenshade_generator::reading::observation::{EigenimageValues, Observation, Observer};
+use eigenshade_generator::reading::observation::{
+    EigenimageValues, LARGEST, Observation, Observer,
+};
+use eigenshade_generator::reading::reader::Reader;
 use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -22,9 +24,6 @@ use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::Table;
 use eigenshade_table::wire::NumberFormat;
 use std::path::{Path, PathBuf};
-
-/// The largest value of an image: its square times any number of pixels is finite.
-const LARGEST: f64 = 1e100;
 
 /// Estimate components, light and material from an image and its normals
 ///

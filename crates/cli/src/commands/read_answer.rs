@@ -2,10 +2,10 @@
 
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output::{self, Rows, exact};
-use eigenshade_cli::reading::{Channel, Reading};
 use eigenshade_generator::reading::coefficients::Fit;
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
+use eigenshade_generator::reading::reader::{Channel, Reading};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_lights;

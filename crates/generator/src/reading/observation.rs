@@ -11,6 +11,10 @@ use eigenshade_table::Table;
 use faer::{Col, ColRef, Mat};
 use std::f64::consts::SQRT_2;
 
+/// The largest value, weight and noise of a pixel: its square times any number of pixels is finite.
+/// The reciprocal is the least, but for zero.
+pub const LARGEST: f64 = 1e100;
+
 /// The pixels of an image in reduced form.
 #[derive(Clone, Debug)]
 pub struct Observation {

@@ -34,11 +34,11 @@ pub fn write() -> Result<()> {
 
     let shadows = Sheet::read(&docs.join("shadows.csv"))?;
     fill(&docs.join("shadows.md"), &[shadow_table::part(&shadows)])?;
+    fill(Path::new("README.md"), &[shadow_table::limits(&shadows)])?;
 
     let folder = docs.join("accuracy-cost");
     let measured = Measured::read(&folder)?;
     fill(&docs.join("costs.md"), &accuracy_cost::report::tables(&measured))?;
-    fill(Path::new("README.md"), &[accuracy_cost::report::choice(&measured)])?;
     figures::write(&accuracy_cost::report::charts::all(&measured)?, &folder)?;
 
     let folder = docs.join("paper");

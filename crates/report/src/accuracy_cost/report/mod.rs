@@ -18,7 +18,7 @@ pub fn tables(measured: &Measured) -> Vec<Part> {
         .iter()
         .map(|machine| (machine.key, tables::of_machine(&measured.settings, machine)))
         .collect();
-    parts.push(choice(measured));
+    parts.push(("choice", tables::choice(&measured.settings)));
     parts.push(("total", tables::total(measured)));
     parts.push(("rivals", tables::rivals(measured)));
     parts.push(("components", tables::components(measured)));
@@ -26,11 +26,6 @@ pub fn tables(measured: &Measured) -> Vec<Part> {
     parts.push(("mathematics", tables::mathematics(&measured.settings)));
     parts.push(("effects", tables::effects(&measured.settings)));
     parts
-}
-
-/// The table by which a setting is chosen, which other pages show too.
-pub fn choice(measured: &Measured) -> Part {
-    ("choice", tables::choice(&measured.settings))
 }
 
 /// An error in percent with two digits, or as a power of ten below 0.01 %.

@@ -5,6 +5,7 @@ use crate::object::{ObjectOptions, ObjectView, is_mesh};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::object::normal_map;
 use eigenshade_generator::png_samples::{self, Curve};
+use eigenshade_generator::reading::observation::LARGEST;
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -167,9 +168,6 @@ impl LinearImage {
         self.pixels.iter().all(|[r, g, b]| r == g && g == b)
     }
 }
-
-/// The largest weight: its square times any number of pixels is finite.
-const LARGEST: f64 = 1e100;
 
 /// Reads the unit normal, z >= 0, of each pixel of an image of this size; `None` where there is no
 /// object.

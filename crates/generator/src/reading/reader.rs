@@ -1,16 +1,14 @@
-//! Reads images and estimates light and material from them.
+//! The estimates of all channels of an image: components, light and material.
 
-pub mod pixels;
-
-use eigenshade_generator::basis::database::comparable_weights;
-use eigenshade_generator::basis::moments::{LightMoments, MaterialMoments, equal};
-use eigenshade_generator::reading::coefficients::{CUTOFF, Fit, LeastSquares, fit, scalar_product};
-use eigenshade_generator::reading::light_estimate::{self, Candidate};
-use eigenshade_generator::reading::modes::{self, ModeCoefficients};
-use eigenshade_generator::reading::observation::Observation;
-use eigenshade_generator::reading::posterior::{Estimate, Posterior, Prior};
-use eigenshade_generator::reading::rank_one::RankOne;
-use eigenshade_generator::reading::transfer::Transfers;
+use crate::basis::database::comparable_weights;
+use crate::basis::moments::{LightMoments, MaterialMoments, equal};
+use crate::reading::coefficients::{CUTOFF, Fit, LeastSquares, fit, scalar_product};
+use crate::reading::light_estimate::{self, Candidate};
+use crate::reading::modes::{self, ModeCoefficients};
+use crate::reading::observation::Observation;
+use crate::reading::posterior::{Estimate, Posterior, Prior};
+use crate::reading::rank_one::RankOne;
+use crate::reading::transfer::Transfers;
 use eigenshade_model::database::{self, Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;

@@ -1,0 +1,84 @@
+//! The picture of a sphere.
+
+use crate::light::Light;
+use crate::material::Material;
+use eigenshade::{Highlights, Rgb};
+use eigenshade_cli::picture::SphereView;
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::highlights::take_out;
+use eigenshade_model::source::{Gloss, Source};
+use eigenshade_shading::highlights;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{self, OwnedNormals, Shader, fault};
+use eigenshade_table::Table;
+use eigenshade_table::highlights::MAX_SOURCES;
+use numpy::ndarray::Array3;
+
+/// Linear red, green, blue and the covered share of each pixel of a sphere, with at most this many
+/// sources as highlights.
+pub fn of_sphere(
+    table: &Table,
+    light: &Light,
+    material: &Material,
+    size: usize,
+    most: usize,
+) -> Result<Array3<f32>> {
+    let sources = sources(light, material, most)?;
+    let mut rest = light.clone();
+    if let Some((_, sources)) = &sources {
+        take_out(&mut rest.entry.rgb, rest.degree, sources);
+    }
+    let (rest, material) = fitted(table, &rest, material);
+    let basis = OwnedBasis::new(table)?;
+    let basis_view = basis.basis().map_err(fault)?;
+    let mut shader = Shader::new(basis_view, table.count()).with_transfers(basis.transfers());
+    let SphereView { pixels, normals, .. } = SphereView::new(size);
+    let normals = OwnedNormals::new(&normals);
+    let [r, g, b] = shader.color(&rest, &material, &normals)?;
+    let mut colors: Vec<Rgb<f32>> =
+        r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b)).collect();
+    if let Some((gloss, sources)) = &sources {
+        let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
+        let gloss = highlights::gloss(gloss)?;
+        let highlights = Highlights::<MAX_SOURCES>::new(&gloss, &sources).map_err(fault)?;
+        highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
+    }
+    let mut picture = Array3::zeros((size, size, 4));
+    for (pixel, color) in pixels.into_iter().zip(colors) {
+        let numbers = [color.r, color.g, color.b, pixel.coverage as f32];
+        for (channel, number) in numbers.into_iter().enumerate() {
+            picture[(pixel.row, pixel.column, channel)] = number;
+        }
+    }
+    Ok(picture)
+}
+
+/// A light and a material in the degree, the order and the colors of a table.
+pub fn fitted(table: &Table, light: &Light, material: &Material) -> (Named, Named) {
+    let lights = Lights { degree: light.degree, entries: vec![light.entry.clone()] };
+    let materials = Materials { order: material.order, entries: vec![material.entry.clone()] };
+    let (mut lights, mut materials) = shader::fitted(table, &lights, &materials);
+    (lights.entries.remove(0), materials.entries.remove(0))
+}
+
+/// The sources of a picture and the gloss that reflects them, if the material shines.
+fn sources(
+    light: &Light,
+    material: &Material,
+    most: usize,
+) -> Result<Option<(Gloss, Vec<Source>)>> {
+    if most == 0 {
+        return Ok(None);
+    }
+    let gloss = material.gloss.ok_or_else(|| {
+        let what = format!("the gloss of `{}` is not known", material.entry.name);
+        Error::new(what, "use `Material.gltf`, a shipped material, or sources=0")
+    })?;
+    if light.sources.is_empty() {
+        let what = format!("`{}` has no sources", light.entry.name);
+        return Err(Error::new(what, "load the map with `sources=8`, or ask for sources=0"));
+    }
+    let sources = light.sources.iter().take(most).copied().collect();
+    Ok(gloss.needs_sources().then_some((gloss, sources)))
+}
