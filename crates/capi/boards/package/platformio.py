@@ -1,18 +1,17 @@
-"""Adds the library of the board's processor to what PlatformIO links."""
+"""Links the library of the board's processor. PlatformIO runs this, as library.json says."""
 
 import os
 import sys
 
 Import("env")  # noqa: F821
 
-board = env.BoardConfig()  # noqa: F821
-names = [board.get("build.mcu", ""), board.get("build.cpu", "")]
-source = os.path.join(os.getcwd(), "src")
-folder = next((os.path.join(source, n) for n in names if n and os.path.isdir(os.path.join(source, n))), None)
+env = env  # noqa: F821
+names = [env.BoardConfig().get(key, "") for key in ("build.mcu", "build.cpu")]
+folders = [os.path.join(os.getcwd(), "src", name) for name in names if name]
+folder = next(filter(os.path.isdir, folders), None)
 if folder is None:
-    sys.exit("eigenshade has no library for %s: see its README.md" % " or ".join(filter(None, names)))
-flags = env.Flatten([env.get(name, []) for name in ("ASFLAGS", "CCFLAGS", "LINKFLAGS")])  # noqa: F821
-if "-mfloat-abi=softfp" in flags:
-    inside = [name for name in sorted(os.listdir(folder)) if name.endswith("softfp")]
-    folder = os.path.join(folder, *inside[:1])
-env.Append(LIBPATH=[folder], LIBS=["eigenshade"])  # noqa: F821
+    sys.exit("eigenshade has no library for %s: see its README.md" % " or ".join(names))
+if "-mfloat-abi=softfp" in env.Flatten([env.get("CCFLAGS", []), env.get("LINKFLAGS", [])]):
+    # Its folder is inside.
+    folder = next((each.path for each in os.scandir(folder) if each.is_dir()), folder)
+env.Append(LIBPATH=[folder], LIBS=["eigenshade"])

@@ -178,10 +178,9 @@ impl Command {
                 let all = objects::all();
                 let names: Vec<_> = all.iter().map(|(name, _)| *name).collect();
                 let remedy = format!("give one of {}", names.join(", "));
-                let (_, glb) = all
-                    .iter()
-                    .find(|(name, _)| *name == object)
-                    .ok_or_else(|| Error::new(format!("no object {}", printable(&object)), remedy))?;
+                let (_, glb) = all.iter().find(|(name, _)| *name == object).ok_or_else(|| {
+                    Error::new(format!("no object {}", printable(&object)), remedy)
+                })?;
                 output::write_all(Some(&file.out), glb.bytes())
             }
             Self::AccuracyCost(command) => command.run(),
