@@ -27,10 +27,10 @@ void setup() {
 }
 
 void loop() {
-  turn(eigenshade_light_hall_q15, millis() / 1000.0f, buffer, light);
+  turn(eigenshade_light_lobby_q15, millis() / 1000.0f, buffer, light);
   check(eigenshade_picture_relight_q15(&tinted, &light, &of_tinted));
   check(eigenshade_picture_relight_q15(&plain, &light, &of_plain));
-  check(eigenshade_linear_palette_fill_q15(&of_tinted, &of_plain, 1.5f, &nodes, &palette));
+  check(eigenshade_linear_palette_fill_q15(&of_tinted, &of_plain, 0.7f, &nodes, &palette));
 
   memset(frame, 0, sizeof frame);
   const eigenshade_target_t target = {frame, sizeof frame, 2 * SIZE, SIZE, SIZE, 0, 0,
