@@ -1,4 +1,4 @@
-// A blue dial around a golden relief with its own shadows, in a hall whose light turns.
+// A blue dial around a golden relief, whose hands cast shadows, in a hall whose light turns.
 #include <eigenshade_presets.h>
 #include "dial.h"
 #include "display.h"
