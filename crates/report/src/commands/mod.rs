@@ -59,6 +59,13 @@ pub enum Command {
     /// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights
     /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
+    /// An object of docs/objects.md as a glTF file
+    ObjectFile {
+        /// Its name
+        object: String,
+        #[command(flatten)]
+        file: OutputFile,
+    },
     AccuracyCost(files::AccuracyCost),
     /// The tables and charts of the documentation, from the CSV files that the other commands write
     ///
@@ -167,6 +174,15 @@ impl Command {
             Self::Paper(purpose) => files::paper(&purpose),
             Self::Picture { file, table } => pictures::spheres(&file.out, &table),
             Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
+            Self::ObjectFile { object, file } => {
+                let all = objects::all();
+                let names: Vec<_> = all.iter().map(|(name, _)| *name).collect();
+                let remedy = format!("give one of {}", names.join(", "));
+                let (_, glb) = all.iter().find(|(name, _)| *name == object).ok_or_else(|| {
+                    Error::new(format!("no object {}", printable(&object)), remedy)
+                })?;
+                output::write_all(Some(&file.out), glb.bytes())
+            }
             Self::AccuracyCost(command) => command.run(),
             Self::Pages => pages::write(),
             Self::Stability(purpose) => {
