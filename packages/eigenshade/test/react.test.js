@@ -1,6 +1,7 @@
 // `eigenshade/react`: the component in strict mode, on a server and hydrated.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import * as esbuild from "esbuild";
@@ -11,22 +12,32 @@ import { launch, serve } from "./support/browser.js";
 
 const PROPS = { light: { r: [3], g: [2], b: [1] }, yaw: 30, className: "large", style: { width: 60, height: 60 }, title: "a ball" };
 
+/** The component of README.md. */
+const [, BALL] = readFileSync(new URL("../README.md", import.meta.url), "utf8").match(/```jsx\n(.*?)```/s);
+
 let browser, server;
 
-before(async () => {
+/** A program as one script, with React in the build for development. */
+async function script(contents) {
   const { outputFiles } = await esbuild.build({
-    stdin: {
-      contents: `export { StrictMode, createElement, createRef, useImperativeHandle, useLayoutEffect, useRef } from "react";
-        export { flushSync } from "react-dom";
-        export { createRoot, hydrateRoot } from "react-dom/client";`,
-      resolveDir: fileURLToPath(new URL(".", import.meta.url)),
-    },
+    stdin: { contents, resolveDir: fileURLToPath(new URL(".", import.meta.url)), loader: "jsx" },
     bundle: true, format: "esm", write: false, define: { "process.env.NODE_ENV": '"development"' },
+    jsx: "automatic", alias: { "eigenshade/react": fileURLToPath(new URL("../src/react.js", import.meta.url)) },
   });
+  return outputFiles[0].contents;
+}
+
+before(async () => {
   const page = (content) => `<!doctype html><link rel=icon href=data:,>
     <script type="importmap">{ "imports": { "react": "/react.js" } }</script><div id=root>${content}</div>`;
   server = await serve({
-    "/react.js": outputFiles[0].contents,
+    "/react.js": await script(`
+      export { StrictMode, createElement, createRef, useImperativeHandle, useLayoutEffect, useRef } from "react";
+      export { flushSync } from "react-dom";
+      export { createRoot, hydrateRoot } from "react-dom/client";`),
+    "/ball.js": await script(`import { createRoot } from "react-dom/client";
+      ${BALL}
+      export const show = (root) => createRoot(root).render(<Ball angle={30} />);`),
     "/": page(""),
     "/rendered.html": page(renderToString(createElement(EigenShade, { ...PROPS, onLoad: () => {} }))),
   });
@@ -180,6 +191,19 @@ test("rendered on a server and hydrated", async () => {
     return [loads, document.querySelector("eigen-shade") === rendered, rendered.yaw, red > blue];
   }, "/rendered.html");
   assert.deepEqual(found, [1, true, 30, true]);
+});
+
+test("the component of README.md", async () => {
+  const found = await inPage(async () => {
+    const { show } = await import("/ball.js");
+    const said = [];
+    console.log = (text) => said.push(text);
+    show(document.querySelector("#root"));
+    await until(() => said.length > 0);
+    const { className, yaw } = document.querySelector("eigen-shade");
+    return [said, className, yaw];
+  });
+  assert.deepEqual(found, [["drawn"], "ball", 30]);
 });
 
 test("a script for clients, in a line that compilers of server components read", async () => {
