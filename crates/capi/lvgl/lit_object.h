@@ -6,12 +6,12 @@
 #include "eigenshade.h"
 #include "lvgl.h"
 
-/* A new widget of the size of a buffer in LV_COLOR_FORMAT_ARGB8888, which takes 4 bytes a pixel and
- * is the caller's until the widget is deleted. NULL for a buffer in another format. */
+/* A new widget of the size of a buffer in LV_COLOR_FORMAT_ARGB8888, which takes 4 bytes a pixel.
+ * The buffer is the caller's, in use until the widget is deleted. NULL for another format. */
 lv_obj_t *lit_object_create(lv_obj_t *parent, lv_draw_buf_t *pixels);
 
-/* Clears the pixels for a new picture and returns them as a target, in which an object's top left is
- * at (0, 0). */
+/* Clears the pixels for a new picture and returns them as a target, in which the top left of an
+ * object is at (0, 0). */
 eigenshade_target_t lit_object_begin(lv_obj_t *object);
 
 /* Shows what was drawn since `lit_object_begin`. */
