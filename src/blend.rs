@@ -27,6 +27,28 @@ pub fn blend565(below: u16, above: u16, coverage: u8) -> u16 {
     (mean | mean >> 16) as u16
 }
 
+/// A pixel of red, green, blue and opacity that `above` covers by `coverage` / 255, with `below` in
+/// the rest: their mean color, within a level, and their opacity.
+///
+/// ```
+/// use eigenshade::Rgb;
+/// use eigenshade::screen::blend8888;
+///
+/// let red = Rgb { r: 255, g: 0, b: 0 };
+/// assert_eq!(blend8888([0; 4], red, 100), [255, 0, 0, 100]);
+/// assert_eq!(blend8888([0, 0, 255, 255], red, 51), [51, 0, 204, 255]);
+/// ```
+#[inline]
+#[must_use]
+pub fn blend8888([r, g, b, opacity]: [u8; 4], above: Rgb<u8>, coverage: u8) -> [u8; 4] {
+    let covered = 255 * u32::from(coverage);
+    let total = covered + (255 - u32::from(coverage)) * u32::from(opacity);
+    // The share of `above`, which is nothing if both are transparent.
+    let share = (255 * covered + total / 2).checked_div(total).unwrap_or_default();
+    let Rgb { r, g, b } = above.over(Rgb { r, g, b }, share as u8);
+    [r, g, b, ((total + 127) / 255) as u8]
+}
+
 impl Rgb<u8> {
     /// A pixel that this color covers by `coverage` / 255, with `below` in the rest of it: the mean
     /// of the encoded values, rounded.

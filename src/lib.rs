@@ -300,7 +300,7 @@ pub mod object {
 
 /// From irradiance to the pixels of a display.
 pub mod screen {
-    pub use crate::blend::blend565;
+    pub use crate::blend::{blend565, blend8888};
     pub use crate::display::{Display, Exposure, Linear, Tone};
     pub use crate::grid::AnyNormal;
     pub use crate::linear_palette::LinearPalette;

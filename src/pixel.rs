@@ -1,6 +1,6 @@
 //! The pixels of displays, as they are in memory.
 
-use crate::blend::blend565;
+use crate::blend::{blend565, blend8888};
 use crate::color::Rgb;
 
 /// A pixel as it is in memory: `u16`, `[u8; 2]`, `[u8; 3]` or `[u8; 4]`.
@@ -19,7 +19,7 @@ impl Pixel for [u8; 3] {}
 impl Pixel for [u8; 4] {}
 
 pub(crate) mod sealed {
-    use super::{Rgb, blend565};
+    use super::{Rgb, blend565, blend8888};
     use crate::display::{NEAREST, levels, word565};
     use crate::encoded::Encoded;
 
@@ -104,14 +104,9 @@ pub(crate) mod sealed {
             opaque(<[u8; 3]>::of_display(color, threshold))
         }
         #[inline]
-        fn over(self, [r, g, b, opacity]: Self, coverage: u8) -> Self {
-            let [red, green, blue, _] = self;
-            let covered = 255 * u32::from(coverage);
-            let total = covered + (255 - u32::from(coverage)) * u32::from(opacity);
-            // This pixel's share of what is seen, which is nothing if both are transparent.
-            let share = (255 * covered + total / 2).checked_div(total).unwrap_or_default();
-            let [r, g, b] = [red, green, blue].over([r, g, b], share as u8);
-            [r, g, b, ((total + 127) / 255) as u8]
+        fn over(self, below: Self, coverage: u8) -> Self {
+            let [r, g, b, _] = self;
+            blend8888(below, Rgb { r, g, b }, coverage)
         }
         #[inline(always)]
         fn word(self) -> u32 {

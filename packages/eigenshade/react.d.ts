@@ -1,7 +1,7 @@
-// `import type {} from "eigenshade/react"` declares `<eigen-shade>` in JSX for React 19.
+// `eigenshade/react`, for React 19: the component, and `<eigen-shade>` in JSX.
 
-import type { DetailedHTMLProps, HTMLAttributes } from "react";
-import type { EigenShade, EigenShadeProperties } from "./element.js";
+import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
+import type { EigenShade as EigenShadeElement, EigenShadeProperties } from "./element.js";
 
 /** React has an `onLoad` and an `onError` of its own, which it calls for HTML's elements alone. */
 interface Events {
@@ -11,7 +11,21 @@ interface Events {
   onError?: never;
 }
 
-type Html = Omit<DetailedHTMLProps<HTMLAttributes<EigenShade>, EigenShade>, keyof Events>;
+type Html = Omit<
+  DetailedHTMLProps<HTMLAttributes<EigenShadeElement>, EigenShadeElement>,
+  keyof Events
+>;
+
+/** The element's properties, its events, and the props of any HTML element. */
+export interface EigenShadeProps extends Html, Partial<EigenShadeProperties> {
+  /** Called after a picture. */
+  onLoad?: (event: Event) => void;
+  /** Called if a property is wrong, or a file cannot be loaded; the earlier picture stays. */
+  onError?: (event: ErrorEvent) => void;
+}
+
+/** The element `<eigen-shade>` as a component. A server renders it without its properties. */
+export function EigenShade(props: EigenShadeProps): ReactElement;
 
 declare module "react" {
   namespace JSX {

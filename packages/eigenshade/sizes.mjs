@@ -1,53 +1,56 @@
-// node packages/eigenshade/sizes.mjs [--write]: prints the sizes of the package's parts, or writes
+// node packages/eigenshade/sizes.mjs [--write]: prints the sizes of the package's entries, or writes
 // them to README.md.
 
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
-import { sizes } from "./test/support/module-size.js";
 
 const file = (path) => new URL(path, import.meta.url);
 const README = file("README.md");
 const MARKS = ["<!-- node packages/eigenshade/sizes.mjs --write -->\n", "<!-- end -->"];
 
-const zipped = (bytes) => gzipSync(bytes, { level: 9 }).length;
+/** Bytes of a file with gzip -9. */
+const zipped = (path) => gzipSync(readFileSync(file(path)), { level: 9 }).length;
 
-/** Bytes with gzip of each part, by its name in the table. */
-export function parts() {
-  const found = [];
-  for (const [name, path] of [
-    ["module with relaxed SIMD", "wasm/eigenshade.relaxed.wasm"],
-    ["module with SIMD", "wasm/eigenshade.simd.wasm"],
-    ["module without SIMD", "wasm/eigenshade.wasm"],
-    ["module for sources with relaxed SIMD", "wasm/eigenshade.sources.relaxed.wasm"],
-    ["module for sources with SIMD", "wasm/eigenshade.sources.simd.wasm"],
-    ["module for sources without SIMD", "wasm/eigenshade.sources.wasm"],
-    ["module for objects with shadows", "wasm/eigenshade.shadowed.wasm"],
-  ]) {
-    const bytes = readFileSync(file(path));
-    const { zipped: code } = sizes(bytes);
-    found.push([`${name}: code`, code], [`${name}: all, with the tables`, zipped(bytes)]);
+/** The scripts that entries import at once, without those that are loaded later. */
+function scripts(names) {
+  const found = new Set(names);
+  for (const name of found) {
+    const text = readFileSync(file(`dist/${name}`), "utf8");
+    for (const [, path] of text.matchAll(/(?:from|import)"\.\/([^"]+)"/g)) found.add(path);
   }
-  for (const [name, scripts] of [
-    ["JavaScript", ["index", "shared"]],
-    ["JavaScript with the element", ["element", "shared"]],
-    ["JavaScript with the entry for three.js", ["index", "three", "shared"]],
-    ["JavaScript of the entry for objects with shadows", ["shadowed", "shared"]],
-  ]) {
-    const bytes = scripts.map((script) => zipped(readFileSync(file(`dist/${script}.js`))));
-    found.push([name, bytes.reduce((sum, one) => sum + one)]);
-  }
-  for (const [what, kind] of [["a light", "light"], ["sources of a light", "sources"], ["a material", "material"]]) {
-    const all = readdirSync(file(`presets/${kind}`));
-    const largest = Math.max(...all.map((name) => readFileSync(file(`presets/${kind}/${name}`)).length));
-    found.push([`${what}, as it is`, largest]);
-  }
-  return found;
+  return [...found];
+}
+
+/** The module of a scene with sources for a browser with all kinds of SIMD. */
+const MODULE = "wasm/eigenshade.sources.relaxed.wasm";
+
+/** The same in a script of `eigenshade/bundled`, which has no module with relaxed SIMD. */
+const bundled = () =>
+  `dist/bundled/${readdirSync(file("dist/bundled")).find((name) => name.startsWith("eigenshade.sources.simd-"))}`;
+
+/** The name, the scripts and the module of each entry. */
+const entries = () => [
+  ["`eigenshade`", ["index.js"], MODULE],
+  ["`eigenshade/element`", ["element.js"], MODULE],
+  ["`eigenshade/react`", ["react.js"], MODULE],
+  ["`eigenshade/three`", ["three.js", "index.js"], MODULE],
+  ["`eigenshade/shadowed`", ["shadowed.js"], "wasm/eigenshade.shadowed.wasm"],
+  ["`eigenshade` with `eigenshade/bundled`", ["index.js", "bundled.js"], bundled()],
+];
+
+/** Bytes with gzip of the JavaScript, the WebAssembly and both, by the name of the entry. */
+export function sizes() {
+  return entries().map(([name, entry, module]) => {
+    const javascript = scripts(entry).reduce((sum, script) => sum + zipped(`dist/${script}`), 0);
+    const wasm = zipped(module);
+    return [name, javascript, wasm, javascript + wasm];
+  });
 }
 
 function table() {
-  const rows = parts().map(([name, bytes]) => `| ${name} | ${bytes.toLocaleString("en-US")} |`);
-  return ["| gzip -9 | bytes |", "|---|---:|", ...rows, ""].join("\n");
+  const rows = sizes().map(([name, ...bytes]) => `| ${name} | ${bytes.map((one) => one.toLocaleString("en-US")).join(" | ")} |`);
+  return ["| bytes with gzip -9 | JavaScript | WebAssembly | total |", "|---|---:|---:|---:|", ...rows, ""].join("\n");
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

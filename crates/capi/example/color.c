@@ -220,11 +220,12 @@ static void check_targets(void) {
   static const struct {
     int32_t encoding;
     size_t stride;
-  } rows[3] = {{EIGENSHADE_ENCODING_RGB565, 88},
+  } rows[4] = {{EIGENSHADE_ENCODING_RGB565, 88},
                {EIGENSHADE_ENCODING_RGB565_HIGH_FIRST, 91},
-               {EIGENSHADE_ENCODING_RGB888, 133}};
+               {EIGENSHADE_ENCODING_RGB888, 133},
+               {EIGENSHADE_ENCODING_RGBA8888, 174}};
   static const int32_t places[PLACES][2] = {{-5, -20}, {20, -7}, {-31, 3}, {2, 11}};
-  static uint16_t memory[(133 * HEIGHT + 1) / 2];
+  static uint16_t memory[174 * HEIGHT / 2];
   static eigenshade_picture_q15_t picture;
   static eigenshade_palette_t palette;
   const eigenshade_display_t *display = &eigenshade_display_filmic;
@@ -232,7 +233,7 @@ static void check_targets(void) {
   CHECKED(eigenshade_picture_begin_q15(&eigenshade_light_lobby_q15,
       &eigenshade_material_gold_metallic_paint_q15, &picture));
   CHECKED(eigenshade_palette_fill_q15(&picture, 1.5f, display, NULL, &palette));
-  for (size_t k = 0; k < 3 * PLACES; k++) {
+  for (size_t k = 0; k < 4 * PLACES; k++) {
     const int32_t *place = places[k % PLACES];
     const size_t stride = rows[k / PLACES].stride;
     const eigenshade_target_t target = {memory, stride * HEIGHT, stride, WIDTH, HEIGHT,

@@ -184,7 +184,7 @@ static void objects(void) {
   EXPECTED(REGION, eigenshade_object_draw(&striped, &palette, 1, display, &whole));
   object.bytes = NULL;
   EXPECTED(NULL_POINTER, eigenshade_object_header(&object, &header));
-  target.encoding = 3;
+  target.encoding = 4;
   EXPECTED(ENCODING, eigenshade_object_draw(&small, &palette, 1, display, &target));
 
   /* What is written to overlaps what is read. */

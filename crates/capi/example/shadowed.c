@@ -34,11 +34,11 @@ SHADOWED(q15)
 
 /* A part of the object in all encodings, under the light in integers. */
 static void check_encodings(void) {
-  static const size_t strides[3] = {88, 91, 133};
-  static uint16_t memory[(133 * 30 + 1) / 2], of_codes[(3 * CODES + 1) / 2];
+  static const size_t strides[4] = {88, 91, 133, 174}, bytes_of[4] = {2, 2, 3, 4};
+  static uint16_t memory[174 * 30 / 2], of_codes[2 * CODES];
   const char *const name = "encodings";
-  for (int32_t encoding = 0; encoding < 3; encoding++) {
-    const size_t stride = strides[encoding], length = encoding == 2 ? 3 * CODES : 2 * CODES;
+  for (int32_t encoding = 0; encoding < 4; encoding++) {
+    const size_t stride = strides[encoding], length = bytes_of[encoding] * CODES;
     const eigenshade_target_t target = {memory, 30 * stride, stride, 40, 30, -5, 7, encoding};
     fill(memory, sizeof memory, 0x5a);
     CHECKED(eigenshade_shadowed_object_colors(&shaded, &coefficients, 1.5f, display, encoding,
@@ -113,7 +113,7 @@ static void check_faults_of_shadowed(void) {
                                                         BESIDE(pixels), 2));
   EXPECTED(EXPOSURE, eigenshade_shadowed_object_colors(&small, &coefficients, 0, display, 0, &color,
                                                        2));
-  EXPECTED(ENCODING, eigenshade_shadowed_object_colors(&small, &coefficients, 1, display, 3, &color,
+  EXPECTED(ENCODING, eigenshade_shadowed_object_colors(&small, &coefficients, 1, display, 4, &color,
                                                        2));
   EXPECTED(COLORS, eigenshade_shadowed_object_colors(&small, &coefficients, 1, display, 0, &color,
                                                      1));
@@ -138,7 +138,7 @@ static void check_faults_of_shadowed(void) {
   other.pixels = bytes;
   other.encoding = EIGENSHADE_ENCODING_RGB565_HIGH_FIRST;
   EXPECTED(OVERLAP, eigenshade_shadowed_object_draw(&small, &color, 2, &other));
-  other.encoding = 3;
+  other.encoding = 4;
   EXPECTED(ENCODING, eigenshade_shadowed_object_draw(&small, &color, 2, &other));
   check(pixels[0] == 7 && pixels[3] == 7, name, "the pixels are as they were", 0);
   /* Beyond all borders, and inside. */

@@ -69,7 +69,7 @@ static void check_pixels(const char *name) {
     target.pixels = sphere_codes;                                                                 \
     EXPECTED(OVERLAP,                                                                             \
              eigenshade_picture_draw_normal_map_##format(&picture, &sphere, 1, display, &target));\
-    target.encoding = 3;                                                                          \
+    target.encoding = 4;                                                                          \
     EXPECTED(ENCODING,                                                                            \
              eigenshade_picture_draw_normal_map_##format(&picture, &map, 1, display, &target));   \
                                                                                                   \
@@ -189,7 +189,8 @@ static void targets(void) {
   REFUSED(TARGET, height, most);
   REFUSED(TARGET, encoding, EIGENSHADE_ENCODING_RGB888);
   REFUSED(ENCODING, encoding, -1);
-  REFUSED(ENCODING, encoding, 3);
+  REFUSED(TARGET, encoding, EIGENSHADE_ENCODING_RGBA8888);
+  REFUSED(ENCODING, encoding, 4);
   REFUSED(OVERLAP, pixels, &target);
   target = whole;
   target.height = 2;

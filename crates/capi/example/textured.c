@@ -66,10 +66,10 @@ TEXTURED(q15)
 
 /* A part of the object in all encodings, from the palettes in integers. */
 static void check_encodings(void) {
-  static const size_t strides[3] = {88, 91, 133};
-  static uint16_t memory[(133 * 30 + 1) / 2];
+  static const size_t strides[4] = {88, 91, 133, 174};
+  static uint16_t memory[174 * 30 / 2];
   const char *const name = "encodings";
-  for (int32_t encoding = 0; encoding < 3; encoding++) {
+  for (int32_t encoding = 0; encoding < 4; encoding++) {
     const size_t stride = strides[encoding];
     const eigenshade_target_t target = {memory, 30 * stride, stride, 40, 30, -5, 7, encoding};
     for (int way = 0; way < 2; way++) {

@@ -254,6 +254,11 @@ enum eigenshade_encoding
    * RGB888: the bytes red, green and blue.
    */
   EIGENSHADE_ENCODING_RGB888 = 2,
+  /**
+   * RGBA8888: the bytes red, green, blue and opacity. Over zeros, an object has the opacity of
+   * its coverage, and is transparent around it.
+   */
+  EIGENSHADE_ENCODING_RGBA8888 = 3,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

@@ -61,7 +61,7 @@ impl<P: Pixel> Drawn<P> for Textured<'_> {
     }
 }
 
-/// Draws an object from palettes. RGB888 has no dithering.
+/// Draws an object from palettes. RGB888 and RGBA8888 have no dithering.
 pub(crate) fn draw(
     object: &Input<PackedObject>,
     palettes: &Input<LinearPalette>,

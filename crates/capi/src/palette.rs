@@ -66,7 +66,7 @@ impl<P: Pixel, const IS_DITHERED: bool> Drawn<P> for Mapped<'_, IS_DITHERED> {
     }
 }
 
-/// Draws an object from a palette. RGB888 has no dithering.
+/// Draws an object from a palette. RGB888 and RGBA8888 have no dithering.
 pub(crate) fn draw<const IS_DITHERED: bool>(
     palette: &Input<Palette>,
     map: &Input<object::NormalMap>,

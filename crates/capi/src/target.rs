@@ -6,7 +6,7 @@ use crate::status::Status;
 use core::ffi::c_void;
 use core::ops::Range;
 use eigenshade::Rgb;
-use eigenshade::screen::{self, Display, Linear, Pixel, blend565};
+use eigenshade::screen::{self, Display, Linear, Pixel, blend565, blend8888};
 
 /// How the pixels of a target are stored.
 #[derive(Clone, Copy)]
@@ -18,12 +18,15 @@ pub enum Encoding {
     Rgb565HighFirst = 1,
     /// RGB888: the bytes red, green and blue.
     Rgb888 = 2,
+    /// RGBA8888: the bytes red, green, blue and opacity. Over zeros, an object has the opacity of
+    /// its coverage, and is transparent around it.
+    Rgba8888 = 3,
 }
 
 impl Encoding {
     /// The encoding of this number in C.
     pub(crate) fn new(number: i32) -> Result<Self, Status> {
-        let encodings = [Self::Rgb565, Self::Rgb565HighFirst, Self::Rgb888];
+        let encodings = [Self::Rgb565, Self::Rgb565HighFirst, Self::Rgb888, Self::Rgba8888];
         encodings.into_iter().find(|&one| one as i32 == number).ok_or(Status::Encoding)
     }
 
@@ -32,6 +35,7 @@ impl Encoding {
         match self {
             Self::Rgb565 | Self::Rgb565HighFirst => 2,
             Self::Rgb888 => 3,
+            Self::Rgba8888 => 4,
         }
     }
 }
@@ -70,8 +74,11 @@ pub(crate) trait Drawn<P> {
 }
 
 /// An object that can be drawn in every encoding.
-pub(crate) trait DrawnInAny: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]> {}
-impl<D: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]>> DrawnInAny for D {}
+pub(crate) trait DrawnInAny:
+    Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]> + Drawn<[u8; 4]>
+{
+}
+impl<D: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]> + Drawn<[u8; 4]>> DrawnInAny for D {}
 
 /// A target that was checked.
 pub(crate) struct Window<'t> {
@@ -95,7 +102,7 @@ impl<'t> Window<'t> {
                 return Err(Status::Unaligned);
             }
             Encoding::Rgb565 => stride.is_multiple_of(2),
-            Encoding::Rgb565HighFirst | Encoding::Rgb888 => true,
+            Encoding::Rgb565HighFirst | Encoding::Rgb888 | Encoding::Rgba8888 => true,
         };
         let fits = height == 1 || (stride >= row && is_aligned);
         if row == 0 || height == 0 || !fits || before.saturating_add(row) > length {
@@ -133,6 +140,7 @@ impl<'t> Window<'t> {
                 Row::Rgb565(pixels) => draw_row(object, corner, pixels),
                 Row::HighFirst(pixels) => draw_row(object, corner, pixels),
                 Row::Rgb888(pixels) => draw_row(object, corner, pixels),
+                Row::Rgba8888(pixels) => draw_row(object, corner, pixels),
             }
         };
         // SAFETY: this function's caller promises as much.
@@ -161,13 +169,7 @@ impl<'t> Window<'t> {
             let (first, count) = (pixels.wrapping_byte_add(before + left), columns.len());
             // SAFETY: the pixels are inside of the window, which C promises. The caller promises
             // the rest, and no other row is in use.
-            let pixels = unsafe {
-                match self.encoding {
-                    Encoding::Rgb565 => Row::Rgb565(Output(first.cast()).array(count)?),
-                    Encoding::Rgb565HighFirst => Row::HighFirst(Output(first.cast()).array(count)?),
-                    Encoding::Rgb888 => Row::Rgb888(Output(first.cast()).array(count)?),
-                }
-            };
+            let pixels = unsafe { Row::new(self.encoding, first, count) }?;
             draw(row, &columns, pixels)?;
         }
         Ok(())
@@ -198,9 +200,58 @@ pub(crate) enum Row<'a> {
     Rgb565(&'a mut [u16]),
     HighFirst(&'a mut [[u8; 2]]),
     Rgb888(&'a mut [[u8; 3]]),
+    Rgba8888(&'a mut [[u8; 4]]),
 }
 
 impl Row<'_> {
+    /// As many pixels of an encoding.
+    ///
+    /// # Safety
+    ///
+    /// As for [`Output::array`].
+    pub(crate) unsafe fn new(
+        encoding: Encoding,
+        first: *mut c_void,
+        count: usize,
+    ) -> Result<Self, Status> {
+        // SAFETY: this function's caller promises as much.
+        unsafe {
+            Ok(match encoding {
+                Encoding::Rgb565 => Row::Rgb565(Output(first.cast()).array(count)?),
+                Encoding::Rgb565HighFirst => Row::HighFirst(Output(first.cast()).array(count)?),
+                Encoding::Rgb888 => Row::Rgb888(Output(first.cast()).array(count)?),
+                Encoding::Rgba8888 => Row::Rgba8888(Output(first.cast()).array(count)?),
+            })
+        }
+    }
+
+    /// Sets a pixel.
+    pub(crate) fn set(&mut self, index: usize, display: &Display, color: Rgb<Linear>) {
+        match self {
+            Self::Rgb565(pixels) => {
+                if let Some(pixel) = pixels.get_mut(index) {
+                    *pixel = display.rgb565(color);
+                }
+            }
+            Self::HighFirst(pixels) => {
+                if let Some(pixel) = pixels.get_mut(index) {
+                    *pixel = display.rgb565(color).to_be_bytes();
+                }
+            }
+            Self::Rgb888(pixels) => {
+                if let Some(pixel) = pixels.get_mut(index) {
+                    *pixel = display.rgb888(color).into();
+                }
+            }
+            Self::Rgba8888(pixels) => {
+                if let Some(pixel) = pixels.get_mut(index) {
+                    let Rgb { r, g, b } = display.rgb888(color);
+                    *pixel = [r, g, b, u8::MAX];
+                }
+            }
+        }
+    }
+
     /// Draws over a pixel, which a color covers by `coverage` / 255.
     pub(crate) fn put(
         &mut self,
@@ -223,7 +274,14 @@ impl Row<'_> {
             }
             Self::Rgb888(pixels) => {
                 if let Some(pixel) = pixels.get_mut(index) {
-                    *pixel = display.rgb888(color).over((*pixel).into(), coverage).into();
+                    let [r, g, b] = *pixel;
+                    let [r, g, b, _] = over8888([r, g, b, u8::MAX], coverage, display, color);
+                    *pixel = [r, g, b];
+                }
+            }
+            Self::Rgba8888(pixels) => {
+                if let Some(pixel) = pixels.get_mut(index) {
+                    *pixel = over8888(*pixel, coverage, display, color);
                 }
             }
         }
@@ -234,4 +292,10 @@ impl Row<'_> {
 #[inline(never)]
 fn over565(below: u16, coverage: u8, display: &Display, color: Rgb<Linear>) -> u16 {
     blend565(below, display.rgb565(color), coverage)
+}
+
+// Once with opacity and without.
+#[inline(never)]
+fn over8888(below: [u8; 4], coverage: u8, display: &Display, color: Rgb<Linear>) -> [u8; 4] {
+    blend8888(below, display.rgb888(color), coverage)
 }

@@ -10,7 +10,7 @@ import * as esbuild from "esbuild";
 import * as vite from "vite";
 import webpack from "webpack";
 import { launch, serve } from "./support/browser.js";
-import { installed } from "./support/packed.js";
+import { PACKAGE, installed } from "./support/packed.js";
 
 const PAGE = (script) => `<!doctype html><title>waits</title><link rel=icon href=data:,>
 <canvas style="width: 120px; height: 120px"></canvas>${script}`;
@@ -19,15 +19,21 @@ const PAGE = (script) => `<!doctype html><title>waits</title><link rel=icon href
 const program = (lines, inputs = "") => `${lines}
 import { Preview } from "eigenshade";
 import "eigenshade/element";
+import { EigenShade } from "eigenshade/react";
 import { ShadowedObject } from "eigenshade/shadowed";
+import { createElement } from "react";
+import { createRoot } from "react-dom/client";
 const canvas = document.querySelector("canvas");
 Preview.create(canvas, { light: "park", material: "red-fabric2", sources: 2 ${inputs} }).then(
   async () => {
     const [r, g, b, a] = canvas.getContext("2d").getImageData(60, 60, 1, 1).data;
     // By its own module.
     const { message } = await ShadowedObject.load(new Uint8Array(1)).catch((fault) => fault);
-    const isRed = a === 255 && r > 1.2 * b && /is no object with shadows/.test(message);
-    document.title = isRed ? "red" : [r, g, b, a, message].join();
+    const { type } = await new Promise((onLoad) => createRoot(document.body).render(
+      createElement(EigenShade, { light: "park", material: "nylon", onLoad, onError: onLoad }),
+    ));
+    const isRed = a === 255 && r > 1.2 * b && /is no object with shadows/.test(message) && type === "load";
+    document.title = isRed ? "red" : [r, g, b, a, message, type].join();
   },
   ({ message }) => { document.title = message; },
 );`;
@@ -39,6 +45,7 @@ let folder, browser;
 
 before(async () => {
   folder = installed();
+  for (const name of ["react", "react-dom", "scheduler"]) cpSync(join(PACKAGE, "node_modules", name), join(folder, "node_modules", name), { recursive: true });
   browser = await launch();
 });
 

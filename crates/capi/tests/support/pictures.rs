@@ -93,6 +93,18 @@ impl Encoding for [u8; 3] {
     }
 }
 
+impl Encoding for [u8; 4] {
+    const STRIDE: usize = 174;
+    const BELOW: Self = [0x5a; 4];
+    fn bytes(self) -> Vec<u8> {
+        self.into()
+    }
+    fn encoded(display: &Display, color: Rgb<Linear>) -> Self {
+        let Rgb { r, g, b } = display.rgb888(color);
+        [r, g, b, u8::MAX]
+    }
+}
+
 /// The windows that `check_targets` draws into, in one encoding.
 fn targets<P: Encoding>(lines: &mut String) -> Result<(), Error> {
     const WIDTH: usize = 40;
@@ -316,6 +328,7 @@ pub fn lines() -> Result<String, Error> {
     targets::<u16>(&mut lines)?;
     targets::<[u8; 2]>(&mut lines)?;
     targets::<[u8; 3]>(&mut lines)?;
+    targets::<[u8; 4]>(&mut lines)?;
     let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
     let scene = sphere::q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
     let lamp = [0.0, 0.6, 0.8];

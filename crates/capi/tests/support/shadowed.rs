@@ -47,5 +47,6 @@ pub fn lines(lines: &mut String) -> Result<(), Error> {
     let _ = writeln!(lines, "shadowed,{}", checksum(bytes));
     target::<u16>(lines, &object, &d)?;
     target::<[u8; 2]>(lines, &object, &d)?;
-    target::<[u8; 3]>(lines, &object, &d)
+    target::<[u8; 3]>(lines, &object, &d)?;
+    target::<[u8; 4]>(lines, &object, &d)
 }

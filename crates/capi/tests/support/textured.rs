@@ -85,5 +85,6 @@ pub fn lines(lines: &mut String) -> Result<(), Error> {
     }
     target::<u16>(lines, &object, &glossy, &display)?;
     target::<[u8; 2]>(lines, &object, &glossy, &display)?;
-    target::<[u8; 3]>(lines, &object, &glossy, &display)
+    target::<[u8; 3]>(lines, &object, &glossy, &display)?;
+    target::<[u8; 4]>(lines, &object, &glossy, &display)
 }
