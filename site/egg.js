@@ -22,13 +22,13 @@ function outline(t) {
 // The places of the pattern, as angles from the top.
 const [CAP, UPPER, LOWER, FOOT] = [0.36, 1.42, 1.86, 2.74];
 
-const GOLD = { color: [0.98, 0.7, 0.3], metallic: 1, roughness: 0.3 };
+const GOLD = { color: [1, 0.72, 0.3], metallic: 1, roughness: 0.4 };
 const PEARL = { color: [0.86, 0.8, 0.72], metallic: 0, roughness: 0.35 };
 const CREAM = { color: [0.83, 0.76, 0.62], metallic: 0, roughness: 0.35 };
-const BLUE = { color: [0.03, 0.15, 0.6], metallic: 1, roughness: 0.35 };
+const BLUE = { color: [0.03, 0.15, 0.6], metallic: 1, roughness: 0.44 };
 const SAPPHIRE = { color: [0.02, 0.1, 0.5], metallic: 0, roughness: 0.35 };
 const RUBY = { color: [0.5, 0.03, 0.05], metallic: 0, roughness: 0.35 };
-const GROOVE = { color: [0.4, 0.25, 0.09], metallic: 1, roughness: 0.3 };
+const GROOVE = { color: [0.4, 0.25, 0.09], metallic: 1, roughness: 0.4 };
 
 /** A round wire: the height over the distance, both in half widths. */
 const wire = (distance) => Math.sqrt(Math.max(0, 1 - distance * distance));

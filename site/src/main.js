@@ -240,8 +240,9 @@ const showControls = () =>
 // ---- link ----
 
 function saveLink() {
-  const hash = toHash(state);
-  if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
+  // Without a hash, the page shows its first sight.
+  const hash = toHash(state) || "details";
+  if (!find("page").hidden && hash !== location.hash.slice(1)) history.replaceState(null, "", `#${hash}`);
 }
 
 /** Links that were opened: the last one is shown. */
@@ -446,11 +447,12 @@ async function start() {
   thumbnails(find("thumbs"), (material) => take({ material }));
   await openLink(location.hash);
   // By now the page may have replaced its own address.
-  addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL).hash));
+  addEventListener("hashchange", ({ newURL }) => {
+    const { hash } = new URL(newURL);
+    if (hash) openLink(hash);
+  });
   wide.addEventListener("change", changed);
   new ResizeObserver(changed).observe(canvas);
 }
 
-find("closed").hidden = true;
-find("page").hidden = false;
 start().catch((fault) => fail(`The page cannot start: ${fault.message}`));
