@@ -352,6 +352,26 @@ on("copy", "click", async () => {
   }
 });
 
+// ---- downloads ----
+
+for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll("[data-take]"))) {
+  button.addEventListener("click", () => download(/** @type {string} */ (button.dataset.take)).catch((fault) => fail(fault.message)));
+}
+
+/** Saves a file of this kind of what is shown. */
+async function download(/** @type {string} */ kind) {
+  const files = await import("./take.js");
+  const { ours } = scenes;
+  ours.turn(state.turn).within(measure.toleranceOf(state.step), scenes.exposure);
+  const { light, material, turn } = state;
+  const seen = { light, material, turn, exposure: scenes.exposure * 2 ** state.exposure, sources: ours.sources };
+  const name = `eigenshade.${kind}`;
+  if (kind === "png") return canvas.toBlob((picture) => picture && files.save(name, picture));
+  if (kind === "json") return files.save(name, files.json(ours, seen));
+  if (kind === "glsl") return files.save(name, files.glsl(ours));
+  files.save(name, { rs: files.rust, c: files.c, py: files.python }[kind](seen));
+}
+
 let growing = 0;
 function stopGrowing() {
   clearInterval(growing);

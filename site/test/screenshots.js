@@ -5,7 +5,7 @@ import { quantized } from "../quantize.js";
 import { launch, open, serve } from "./support.js";
 
 /** Widths and heights of docs/site-WIDTH.png. */
-export const SIZES = [[360, 740], [1440, 900]];
+export const SIZES = [[390, 780], [1440, 900]];
 
 /** Takes the pictures: pairs of a width and a PNG. */
 export async function screenshots() {
@@ -13,8 +13,6 @@ export async function screenshots() {
   const pictures = [];
   for (const [width, height] of SIZES) {
     const { page } = await open(browser, server.address, { width, height });
-    // Thumbnails are drawn as they come into view.
-    await page.waitForTimeout(500);
     const shot = (await page.screenshot()).toString("base64");
     const base64 = await page.evaluate(async (shot) => {
       const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${shot}`)).blob());
