@@ -5,7 +5,7 @@ import { Parts } from "./parts.js";
 import { toward } from "./follow.js";
 
 /** The slider's step, and the place of the highlight, from -1 to 1 to the right and up. */
-export const FIRST = { step: 20, place: [-0.3, 0.35] };
+export const FIRST = { step: 25, place: [-0.3, 0.35] };
 
 /** How much brighter than a white sphere the object is exposed: its base colors are darker. */
 const BRIGHTER = 1.5;

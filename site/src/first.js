@@ -42,7 +42,9 @@ async function begin() {
   const object = await unpacked(response.body);
   const draw = drawer(canvas, object);
   draw(object.palettes);
-  requestAnimationFrame(() => performance.mark("first-picture"));
+  // The first frame shows the picture, and the second one comes after it.
+  for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
+  performance.mark("first-picture");
   const { Live } = await import("./live.js");
   const live = await Live.create(object, draw);
   follow(object.about.place, live);
@@ -78,6 +80,7 @@ function follow(first, live) {
   const lead = (/** @type {number[]} */ to) => {
     isLed = true;
     wanted = to;
+    busy(true);
     next();
   };
   const stage = find("first");

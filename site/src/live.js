@@ -52,6 +52,7 @@ export class Live {
     find("chip").value = "RP2350";
     find("first-step").addEventListener("input", () => {
       find("open-details").href = `#step=${find("first-step").value}`;
+      busy(true);
       this.changed();
     });
     find("chip").addEventListener("change", () => this.#showFrames());
@@ -85,7 +86,7 @@ export class Live {
     const frame = frameOf(chip.board, this.#parts.costs, covered * (DISPLAY / height) ** 2);
     const rate = chip.clock / frame;
     find("frames").textContent = rate < 9.95 ? rate.toFixed(1) : rate.toFixed(0);
-    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions on its ${chip.core} at ${chip.clock / 1e6} MHz`;
+    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions of a ${chip.core} at ${chip.clock / 1e6} MHz`;
   }
 
   /**

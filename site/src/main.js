@@ -358,6 +358,14 @@ for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (document.quer
   button.addEventListener("click", () => download(/** @type {string} */ (button.dataset.take)).catch((fault) => fail(fault.message)));
 }
 
+// A click elsewhere and Escape close the menu.
+addEventListener("pointerdown", ({ target }) => find("take").contains(target) || (find("take").open = false));
+find("take").addEventListener("keydown", (/** @type {KeyboardEvent} */ { key }) => {
+  if (key !== "Escape") return;
+  find("take").open = false;
+  find("take").querySelector("summary").focus();
+});
+
 /** Saves a file of this kind of what is shown. */
 async function download(/** @type {string} */ kind) {
   const files = await import("./take.js");

@@ -26,7 +26,11 @@ describe("the page", { concurrency: 4 }, () => {
     test(`axe finds nothing, ${colorScheme}, ${width} wide`, async () => {
       const { page, faults } = await open(browser, server.address, { width, height, colorScheme, hash: "step=4&view=split", script: NO_WEBGL });
       await page.evaluate(AXE);
+      // With the menu open, then without: a click elsewhere closes it.
       await page.locator("#take summary").click();
+      assert.deepEqual((await page.evaluate(() => axe.run())).violations.map(({ id }) => id), []);
+      await page.locator("h1").click();
+      assert.ok(!(await page.locator("#take button").first().isVisible()));
       for (const tab of width < 960 ? ["scene", "accuracy", "effects", "images", "shadows", "cases"] : ["effects"]) {
         await page.locator(`#tab-${tab}`).click();
         await settled(page);

@@ -5,7 +5,7 @@ import { quantized } from "../quantize.js";
 import { launch, open, serve } from "./support.js";
 
 /** Widths and heights of docs/site-WIDTH.png. */
-export const SIZES = [[390, 780], [1440, 900]];
+export const SIZES = [[390, 844], [1440, 900]];
 
 /** Takes the pictures: pairs of a width and a PNG. */
 export async function screenshots() {
