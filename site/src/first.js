@@ -90,7 +90,9 @@ function follow(first, live) {
     lead([x, y].map((along) => Math.max(-1.6, Math.min(1.6, along))));
   };
   stage.addEventListener("pointermove", (/** @type {PointerEvent} */ event) => {
-    if (event.pointerType === "mouse" || event.target === canvas) at(event);
+    const { target, pointerType } = event;
+    const isElsewhere = /** @type {Element} */ (target).closest(".say");
+    if (pointerType === "mouse" ? !isElsewhere : target === canvas) at(event);
   });
   canvas.addEventListener("pointerdown", at);
   canvas.addEventListener("keydown", (event) => {
