@@ -76,12 +76,6 @@ export function controls(state, { drawing, hasOwn, isModel, turnsLight, tab: sho
     : state.object === "sphere"
       ? "Drag or use arrow keys to turn the light: a sphere looks the same from every side."
       : `Drag or use arrow keys to turn the ${turns}; Alt-drag, two fingers or Shift+arrow keys turn the ${other}.`;
-  const isShipped = !["own", ...Object.keys(NAMES)].includes(state.light);
-  for (const kind of ["rs", "c", "py"]) {
-    /** @type {HTMLButtonElement} */ (document.querySelector(`[data-take=${kind}]`)).disabled = !isShipped;
-  }
-  const note = isShipped ? "" : "Programs are of captured lights.";
-  if (find("take-note").textContent !== note) find("take-note").textContent = note;
   const light = state.light === "own" ? state.ownLight?.name : state.light;
   const material = isModel ? "its own materials" : typeof state.material === "string" ? readable(state.material) : "a glTF material";
   find("picture").setAttribute("aria-label", `${OBJECT_TEXT[drawing ? state.object : "sphere"]} of ${material} under the light ${light}`);

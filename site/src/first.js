@@ -11,7 +11,7 @@ const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.bu
 
 // ---- details ----
 
-/** @type {Promise<unknown> | undefined} */
+/** @type {Promise<typeof import("./main.js")> | undefined} */
 let details;
 
 /** Shows the details if the address holds a state, else the first sight. */
@@ -20,7 +20,8 @@ function route() {
   find("first").hidden = open;
   find("page").hidden = !open;
   for (const button of document.querySelectorAll(".only-details")) /** @type {HTMLElement} */ (button).hidden = !open;
-  if (open) details ??= import("./main.js").catch((fault) => broken(`The details cannot be shown: ${fault.message}`));
+  find("take").open = false;
+  if (open) (details ??= import("./main.js")).catch((fault) => broken(`The details cannot be shown: ${fault.message}`));
   else start();
 }
 addEventListener("hashchange", route);
@@ -29,11 +30,34 @@ const broken = (/** @type {string} */ text) => {
   busy(false);
 };
 
+// ---- downloads ----
+
+const take = find("take");
+take.addEventListener("click", async (/** @type {PointerEvent} */ { target }) => {
+  const { take: kind } = /** @type {HTMLElement} */ (target).dataset;
+  if (!kind) return;
+  find("take-note").textContent = "";
+  const shown = await (find("first").hidden ? details : started);
+  await shown?.download(kind).catch((/** @type {Error} */ { message }) => (find("take-note").textContent = message));
+});
+// A click elsewhere and Escape close the menu.
+addEventListener("pointerdown", ({ target }) => take.contains(target) || (take.open = false));
+take.addEventListener("keydown", (/** @type {KeyboardEvent} */ { key }) => {
+  if (key !== "Escape") return;
+  take.open = false;
+  take.querySelector("summary").focus();
+});
+
 // ---- the object ----
 
-/** @type {Promise<void> | undefined} */
+/** @type {Promise<import("./live.js").Live | undefined> | undefined} */
 let started;
-const start = () => (started ??= begin().catch((fault) => broken(`The picture cannot be drawn: ${fault.message}`)));
+function start() {
+  started ??= begin().catch((fault) => {
+    broken(`The picture cannot be drawn: ${fault.message}`);
+    return undefined;
+  });
+}
 
 async function begin() {
   busy(true);
@@ -48,6 +72,7 @@ async function begin() {
   const { Live } = await import("./live.js");
   const live = await Live.create(object, draw);
   follow(object.about.place, live);
+  return live;
 }
 
 // ---- the light ----

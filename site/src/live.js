@@ -79,6 +79,18 @@ export class Live {
     }, 150);
   }
 
+  /** Saves a file of this kind of the egg as it is shown. */
+  async download(/** @type {string} */ kind) {
+    const [egg, { save }] = await Promise.all([import("./take-egg.js"), import("./take.js")]);
+    this.#set(toleranceOf(Number(find("first-step").value)));
+    const seen = { turn: this.#turn, ...this.#object.about };
+    const name = `egg.${kind}`;
+    if (kind === "png") return find("object").toBlob((/** @type {Blob} */ picture) => save(name, picture));
+    if (kind === "json") return save(name, egg.json(this.#parts.scenes, seen));
+    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes));
+    save(name, { rs: egg.rust, c: egg.c, py: egg.pythonOf }[kind](seen));
+  }
+
   #showFrames() {
     const chip = CHIPS.find(({ name }) => name === find("chip").value) ?? CHIPS[0];
     const { height, about: { regions } } = this.#object;

@@ -8,6 +8,7 @@ import { drawCpu } from "./cpu.js";
 import { Drawing, KINDS, SHOWN } from "./draw.js";
 import { checkSize, onDrop, panorama } from "./files.js";
 import { showGallery } from "./gallery.js";
+import { ANALYTIC } from "./harmonics.js";
 import * as measure from "./measure.js";
 import { shadeNine } from "./nine.js";
 import { coin, coinNormals, parseObj, relief } from "./objects.js";
@@ -354,20 +355,8 @@ on("copy", "click", async () => {
 
 // ---- downloads ----
 
-for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll("[data-take]"))) {
-  button.addEventListener("click", () => download(/** @type {string} */ (button.dataset.take)).catch((fault) => fail(fault.message)));
-}
-
-// A click elsewhere and Escape close the menu.
-addEventListener("pointerdown", ({ target }) => find("take").contains(target) || (find("take").open = false));
-find("take").addEventListener("keydown", (/** @type {KeyboardEvent} */ { key }) => {
-  if (key !== "Escape") return;
-  find("take").open = false;
-  find("take").querySelector("summary").focus();
-});
-
 /** Saves a file of this kind of what is shown. */
-async function download(/** @type {string} */ kind) {
+export async function download(/** @type {string} */ kind) {
   const files = await import("./take.js");
   const { ours } = scenes;
   ours.turn(state.turn).within(measure.toleranceOf(state.step), scenes.exposure);
@@ -377,6 +366,7 @@ async function download(/** @type {string} */ kind) {
   if (kind === "png") return canvas.toBlob((picture) => picture && files.save(name, picture));
   if (kind === "json") return files.save(name, files.json(ours, seen));
   if (kind === "glsl") return files.save(name, files.glsl(ours));
+  if (light === "own" || Object.hasOwn(ANALYTIC, light)) throw new Error("Programs are of captured lights; take the coefficients.");
   files.save(name, { rs: files.rust, c: files.c, py: files.python }[kind](seen));
 }
 

@@ -33,7 +33,6 @@ export function normalsOf(u, v) {
 
 /** The scenes of an object's regions. */
 export class Parts {
-  /** Black and white of each region. */
   #scenes;
   #regions;
 
@@ -51,6 +50,11 @@ export class Parts {
   constructor(scenes, regions) {
     this.#scenes = scenes;
     this.#regions = regions;
+  }
+
+  /** Black and white of each region. */
+  get scenes() {
+    return this.#scenes;
   }
 
   /** Terms and sources of each part. */

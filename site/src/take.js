@@ -15,12 +15,15 @@ import { inverse, matrix } from "./turn.js";
  * @property {number} sources how many are drawn
  */
 
-const decimal = (/** @type {number} */ value) => {
+/** A number as Rust has it. */
+export const decimal = (/** @type {number} */ value) => {
   const text = String(Number(value.toPrecision(6)));
   return /[.e]/.test(text) ? text : `${text}.0`;
 };
-const list = (/** @type {number[]} */ numbers) => numbers.map(decimal).join(", ");
-const float = (/** @type {number[]} */ numbers) => numbers.map((value) => `${decimal(value)}f`).join(", ");
+export const numbers = (/** @type {number[]} */ list) => list.map(decimal).join(", ");
+export const floats = (/** @type {number[]} */ list) => list.map((value) => `${decimal(value)}f`).join(", ");
+
+export const upper = (/** @type {string} */ name) => name.toUpperCase().replaceAll("-", "_");
 
 /** Linear red, green and blue of "#rrggbb". */
 const linear = (/** @type {string} */ color) =>
@@ -36,7 +39,6 @@ const title = (/** @type {Seen} */ { light, material, sources }) =>
 /** A module that draws on any target. */
 export function rust(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
-  const upper = (/** @type {string} */ name) => name.toUpperCase().replaceAll("-", "_");
   const isNamed = typeof material === "string";
   return `//! ${title(seen)}
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
@@ -49,9 +51,9 @@ use eigenshade::{${isNamed ? "" : "Material, "}Rotation, sphere};
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
 pub fn draw(screen: &mut Target<'_>) -> Result<(), eigenshade::Error> {
-    let rotation = Rotation::from_quaternion([${list(turn)}])?;
+    let rotation = Rotation::from_quaternion([${numbers(turn)}])?;
     let light = ${upper(light)}.turned::<100>(&rotation)?;
-${isNamed ? "" : `    let color = [${list(linear(material.baseColor))}]; // linear
+${isNamed ? "" : `    let color = [${numbers(linear(material.baseColor))}]; // linear
     let material = Material::metallic_roughness(color, ${decimal(material.metallic)}, ${decimal(material.roughness)})?;
 `}    let scene = sphere::color::scene(light.lights()?, ${isNamed ? upper(material) : "material.materials()?"})?;
     let exposure = Exposure::new(${decimal(exposure)})?;
@@ -73,21 +75,21 @@ export function c(/** @type {Seen} */ seen) {
 #include "eigenshade_presets.h"
 
 eigenshade_status draw(const eigenshade_target_t *target) {
-  static const float turn[4] = {${float(turn)}};
+  static const float turn[4] = {${floats(turn)}};
   static eigenshade_light_buffer_f32_t turned;
   static eigenshade_picture_f32_t picture;
   eigenshade_color_light_f32_t light;
-${isNamed ? "" : `  static const float color[3] = {${float(linear(material.baseColor))}}; /* linear */
+${isNamed ? "" : `  static const float color[3] = {${floats(linear(material.baseColor))}}; /* linear */
   static eigenshade_material_buffer_f32_t buffer;
   eigenshade_color_material_f32_t material;
 `}  eigenshade_status status =
       eigenshade_turn_f32(&eigenshade_light_${lower(light)}_f32, turn, &turned, &light);
 ${isNamed ? "" : `  if (!status)
-    status = eigenshade_metallic_roughness_f32(color, ${float([material.metallic])}, ${float([material.roughness])}, &buffer, &material);
+    status = eigenshade_metallic_roughness_f32(color, ${floats([material.metallic])}, ${floats([material.roughness])}, &buffer, &material);
 `}  if (!status)
     status = eigenshade_picture_begin_f32(&light, &${isNamed ? `eigenshade_material_${lower(material)}_f32` : "material"}, &picture);
   if (status) return status;
-  return eigenshade_picture_draw_disc_f32(&picture, 240, ${float([exposure])}, &eigenshade_display_filmic, target);
+  return eigenshade_picture_draw_disc_f32(&picture, 240, ${floats([exposure])}, &eigenshade_display_filmic, target);
 }
 `;
 }
@@ -120,23 +122,23 @@ export function angles(/** @type {number[]} */ turn) {
   };
 }
 
-/** A function of GLSL ES 3.00 with its numbers. */
-export function glsl(/** @type {Scene} */ scene) {
-  const numbers = scene.uniforms();
-  const vectors = Array.from({ length: numbers.length / 4 }, (_, k) => `  vec4(${list([...numbers.subarray(4 * k, 4 * k + 4)])})`);
-  const text = scene.glsl("uniforms");
-  const declared = `uniform vec4 eigenshade[${vectors.length}];`;
+/** A function of GLSL ES 3.00 with its numbers, whose names begin with a prefix. */
+export function glsl(/** @type {Scene} */ scene, prefix = "") {
+  const array = scene.uniforms();
+  const vectors = Array.from({ length: array.length / 4 }, (_, k) => `  vec4(${numbers([...array.subarray(4 * k, 4 * k + 4)])})`);
+  const text = scene.glsl("uniforms", prefix ? { prefix } : {});
+  const name = `vec4 ${prefix}eigenshade[${vectors.length}]`;
+  const declared = `uniform ${name};`;
   if (!text.startsWith(declared)) throw new Error("the shader does not begin with its array");
   return `// ${scene.label}: irradiance of a unit normal, x to the right, y up, z toward the camera.
-const vec4 eigenshade[${vectors.length}] = vec4[](
+const ${name} = vec4[](
 ${vectors.join(",\n")}
 );${text.slice(declared.length)}`;
 }
 
 /** The coefficients of the eigenimages of the table `color`, and what they are of. */
 export function json(/** @type {Scene} */ scene, /** @type {Seen} */ seen) {
-  const { r, g, b } = scene.coefficients();
-  const d = Object.fromEntries(Object.entries({ r, g, b }).map(([channel, numbers]) => [channel, [...numbers]]));
+  const d = Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]]));
   return `${JSON.stringify({ ...seen, degree: scene.degree, order: scene.order, terms: scene.terms, d }, null, 1)}\n`;
 }
 
