@@ -6,7 +6,7 @@ import { NODES, SIDE } from "./packed.js";
 
 /** The light of the object, and how many of its small sources are drawn. */
 export const LIGHT = "apartment";
-const SOURCES = 2;
+export const SOURCES = 4;
 
 /** Normals of the nodes of a palette; beyond the rim those of the rim. */
 const AXES = normalsOf(

@@ -1,6 +1,6 @@
 // A download of the first sight: the egg's coefficients, shader and programs.
 
-import { LIGHT } from "./parts.js";
+import { LIGHT, SOURCES } from "./parts.js";
 import { decimal, floats, glsl, numbers, python, upper } from "./take.js";
 
 /**
@@ -84,7 +84,7 @@ eigenshade_status draw(const eigenshade_target_t *target) {
 
 /** A script that draws a sphere of the egg's gold, because Python draws no textures. */
 export const pythonOf = (/** @type {Seen} */ { turn, exposure, regions }) =>
-  python({ light: LIGHT, material: { baseColor: "#ffdb95", metallic: 1, roughness: regions[0].roughness }, turn, exposure, sources: 2 });
+  python({ light: LIGHT, material: { baseColor: "#ffdb95", metallic: 1, roughness: regions[0].roughness }, turn, exposure, sources: SOURCES });
 
 const NAMES = ["black", "white"];
 

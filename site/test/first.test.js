@@ -10,7 +10,7 @@ import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
 import { FIRST, began } from "../src/begin.js";
 import { toward } from "../src/follow.js";
 import { unpacked } from "../src/packed.js";
-import { LIGHT } from "../src/parts.js";
+import { LIGHT, SOURCES } from "../src/parts.js";
 import * as egg from "../src/take-egg.js";
 import { c, python, rust } from "../src/take.js";
 import { NO_WEBGL, ROOT, SITE, launch, open, serve, settled } from "./support.js";
@@ -245,7 +245,7 @@ describe("the first sight", { concurrency: 4 }, () => {
     // The errors of all terms are those of the shipped lights, between two roughnesses.
     const errors = readFileSync(join(ROOT, "tables/inputs/sources.errors.csv"), "utf8").split("\n").map((line) => line.split(","));
     for (const { metallic, roughness, direct } of about.regions) {
-      const sources = roughness < 0.6 ? 2 : 0;
+      const sources = roughness < 0.6 ? SOURCES : 0;
       const row = errors.find((row) => row.slice(0, 5).join() === `${LIGHT},${sources},9,7,${metallic < 0.5 ? "dielectric" : "metal"}`);
       const tenth = Math.min(5, Math.floor(10 * roughness));
       for (const [value, first] of [[direct.mean, 5], [direct.most, 11]]) {
