@@ -8,6 +8,7 @@ import { drawCpu } from "./cpu.js";
 import { Drawing, KINDS, SHOWN } from "./draw.js";
 import { checkSize, onDrop, panorama } from "./files.js";
 import { showGallery } from "./gallery.js";
+import { ANALYTIC } from "./harmonics.js";
 import * as measure from "./measure.js";
 import { shadeNine } from "./nine.js";
 import { coin, coinNormals, parseObj, relief } from "./objects.js";
@@ -240,8 +241,9 @@ const showControls = () =>
 // ---- link ----
 
 function saveLink() {
-  const hash = toHash(state);
-  if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
+  // Without a hash, the page shows its first sight.
+  const hash = toHash(state) || "details";
+  if (!find("page").hidden && hash !== location.hash.slice(1)) history.replaceState(null, "", `#${hash}`);
 }
 
 /** Links that were opened: the last one is shown. */
@@ -351,6 +353,23 @@ on("copy", "click", async () => {
   }
 });
 
+// ---- downloads ----
+
+/** Saves a file of this kind of what is shown. */
+export async function download(/** @type {string} */ kind) {
+  const files = await import("./take.js");
+  const { ours } = scenes;
+  ours.turn(state.turn).within(measure.toleranceOf(state.step), scenes.exposure);
+  const { light, material, turn } = state;
+  const seen = { light, material, turn, exposure: scenes.exposure * 2 ** state.exposure, sources: ours.sources };
+  const name = `eigenshade.${kind}`;
+  if (kind === "png") return canvas.toBlob((picture) => picture && files.save(name, picture));
+  if (kind === "json") return files.save(name, files.json(ours, seen));
+  if (kind === "glsl") return files.save(name, files.glsl(ours));
+  if (light === "own" || Object.hasOwn(ANALYTIC, light)) throw new Error("Programs are of captured lights; take the coefficients.");
+  files.save(name, { rs: files.rust, c: files.c, py: files.python }[kind](seen));
+}
+
 let growing = 0;
 function stopGrowing() {
   clearInterval(growing);
@@ -446,11 +465,12 @@ async function start() {
   thumbnails(find("thumbs"), (material) => take({ material }));
   await openLink(location.hash);
   // By now the page may have replaced its own address.
-  addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL).hash));
+  addEventListener("hashchange", ({ newURL }) => {
+    const { hash } = new URL(newURL);
+    if (hash) openLink(hash);
+  });
   wide.addEventListener("change", changed);
   new ResizeObserver(changed).observe(canvas);
 }
 
-find("closed").hidden = true;
-find("page").hidden = false;
 start().catch((fault) => fail(`The page cannot start: ${fault.message}`));

@@ -150,7 +150,7 @@ const PARTS = {
 };
 
 /**
- * The link's part after "#": what differs from the initial state.
+ * The link's part after "#": what differs from the initial state. The page writes "details" if nothing does.
  *
  * @param {State} state
  */
@@ -176,6 +176,7 @@ export function toHash(state) {
 export function fromHash(hash, ownMesh = false) {
   const [state, faults] = [initial(), /** @type {string[]} */ ([])];
   for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
+    if (key === "details") continue;
     if (!Object.hasOwn(PARTS, key)) {
       faults.push(`${key} is unknown`);
       continue;

@@ -26,6 +26,11 @@ describe("the page", { concurrency: 4 }, () => {
     test(`axe finds nothing, ${colorScheme}, ${width} wide`, async () => {
       const { page, faults } = await open(browser, server.address, { width, height, colorScheme, hash: "step=4&view=split", script: NO_WEBGL });
       await page.evaluate(AXE);
+      // With the menu open, then without: a click elsewhere closes it.
+      await page.locator("#take summary").click();
+      assert.deepEqual((await page.evaluate(() => axe.run())).violations.map(({ id }) => id), []);
+      await page.locator("h1").click();
+      assert.ok(!(await page.locator("#take button").first().isVisible()));
       for (const tab of width < 960 ? ["scene", "accuracy", "effects", "images", "shadows", "cases"] : ["effects"]) {
         await page.locator(`#tab-${tab}`).click();
         await settled(page);
@@ -42,6 +47,21 @@ describe("the page", { concurrency: 4 }, () => {
         return (await axe.run()).violations.map(({ id }) => id);
       });
       assert.deepEqual(planted, ["image-alt"]);
+      assert.deepEqual(faults, []);
+      await page.close();
+    });
+  }
+
+  for (const [colorScheme, width, height] of [["light", 390, 780], ["dark", 390, 780], ["light", 1440, 900], ["dark", 1440, 900]]) {
+    test(`axe finds nothing at first sight, ${colorScheme}, ${width} wide`, async () => {
+      const { page, faults } = await open(browser, server.address, { width, height, colorScheme, script: NO_WEBGL });
+      await page.evaluate(AXE);
+      const found = await page.evaluate(async () => {
+        const { violations, passes } = await axe.run();
+        return { passes: passes.length, violations: violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120))}`) };
+      });
+      assert.deepEqual(found.violations, []);
+      assert.ok(found.passes > 20, `${found.passes}`);
       assert.deepEqual(faults, []);
       await page.close();
     });
@@ -91,7 +111,7 @@ describe("the page", { concurrency: 4 }, () => {
 
   for (const [width, height] of [[740, 360], [640, 320], [560, 300]]) {
     test(`on a phone on its side, ${width} x ${height}, picture and panels have room`, async () => {
-      const { page } = await open(browser, server.address, { width, height, script: NO_WEBGL });
+      const { page } = await open(browser, server.address, { width, height, hash: "details", script: NO_WEBGL });
       for (const tab of ["scene", "accuracy", "effects", "images", "shadows", "cases"]) {
         await page.locator(`#tab-${tab}`).click();
         const box = async (id) => (await page.locator(`#${id}`).boundingBox());
@@ -109,7 +129,7 @@ describe("the page", { concurrency: 4 }, () => {
 
   for (const width of [960, 1050, 1150, 1280]) {
     test(`${width} pixels wide, picture, slider and columns have room`, async () => {
-      const { page } = await open(browser, server.address, { width, height: 700, script: NO_WEBGL });
+      const { page } = await open(browser, server.address, { width, height: 700, hash: "details", script: NO_WEBGL });
       for (const [id, least] of [["picture", 350], ["step", 200], ["scene", 220], ["accuracy", 260], ["light", 90], ["exposure", 90]]) {
         const box = await page.locator(`#${id}`).boundingBox();
         assert.ok(box.width >= least && box.x >= 0 && box.x + box.width <= width, `${id}: ${JSON.stringify(box)}`);
@@ -121,7 +141,7 @@ describe("the page", { concurrency: 4 }, () => {
   }
 
   test("a page that has no room for a panel scrolls to all of it", async () => {
-    const { page } = await open(browser, server.address, { width: 360, height: 300, script: NO_WEBGL });
+    const { page } = await open(browser, server.address, { width: 360, height: 300, hash: "details", script: NO_WEBGL });
     const [shown, all] = await page.evaluate(() => [document.documentElement, document.querySelector("#accuracy")].map((part) => [part.scrollHeight, part.clientHeight]));
     assert.ok(shown[0] > all[0] && all[0] <= all[1], `${shown}, ${all}`);
     await page.locator("#model").scrollIntoViewIfNeeded();
@@ -133,7 +153,7 @@ describe("the page", { concurrency: 4 }, () => {
     test(`${width} pixels wide, nothing is cut off, and the committed picture is of this page`, async () => {
       const { page } = await open(browser, server.address, { width, height });
       const sizes = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight,
-        ...[...document.querySelectorAll(".panel, .stage, header")].filter((part) => part.offsetParent).map((part) => part.scrollWidth - part.clientWidth)]);
+        ...[...document.querySelectorAll("#first, .say, header")].filter((part) => part.offsetParent).map((part) => part.scrollWidth - part.clientWidth)]);
       assert.deepEqual(sizes.slice(0, 2), [width, height]);
       assert.ok(sizes.slice(2).every((beyond) => beyond <= 0), `${sizes}`);
       const path = join(ROOT, `docs/site-${width}.png`);

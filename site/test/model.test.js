@@ -11,7 +11,7 @@ import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
 import { engine } from "../eigenshade/src/engine.js";
 import { metered } from "../eigenshade/src/exposure.js";
 import { EFFECTS, Scene, lightPreset } from "../eigenshade/src/index.js";
-import { BOARDS, instructions } from "../src/boards.js";
+import { BOARDS, CHIPS, frameOf, instructions } from "../src/boards.js";
 import { ANALYTIC, ambient, directional, disc, harmonics, windowed } from "../src/harmonics.js";
 import * as measure from "../src/measure.js";
 import { nineTerms, shadeNine } from "../src/nine.js";
@@ -65,6 +65,26 @@ test("the lines of the boards are fits to the committed counts", () => {
     assert.ok(worst <= within && worst > within - 0.01, `${board}: ${worst}`);
     assert.equal(instructions({ base, each, source }, 100, 2), 3 * (base + 100 * each) + 2 * source);
   }
+});
+
+test("a frame of the counted object costs what was counted, and terms and pixels change it in proportion", () => {
+  const counts = table("firmware/counts.csv");
+  const described = execFileSync(EIGENSHADE, ["info", "--table", join(ROOT, "tables/sphere.bin")], { encoding: "utf8" });
+  const terms = Number(/^terms +(\d+)$/m.exec(described)[1]);
+  for (const board of BOARDS) {
+    const count = (operation) => Number(counts.find((row) => row.board === board.board && row.format === board.format && row.operation === operation).instructions);
+    const { turned, still, turn } = board.frame;
+    assert.deepEqual([turned, still, turn], ["frame_textured", "frame_textured_still", "turn"].map(count));
+    const parts = (terms, sources = 0) => [0, 1].map(() => ({ terms, sources }));
+    const pixels = Math.PI * 60 ** 2;
+    near(frameOf(board, parts(terms), pixels), turned, 1);
+    near(frameOf(board, parts(terms), 3 * pixels), turned + 2 * still, 1);
+    near(frameOf(board, [...parts(terms), ...parts(terms)], pixels), 2 * turned - still - turn, 1);
+    near(frameOf(board, parts(terms, 1), pixels), turned + 2 * 803 * board.source, 1);
+    const few = (frameOf(board, parts(10), 0) - turn) / (frameOf(board, parts(100), 0) - turn);
+    near(few, instructions(board, 10) / instructions(board, 100), 1e-9);
+  }
+  for (const { board } of CHIPS) assert.ok(BOARDS.includes(board));
 });
 
 /** A shipped map, row 0 at the top. */
@@ -433,14 +453,16 @@ test("percentages have two digits", () => {
   assert.deepEqual([0, 1e-7, 1.234e-3, 0.0567, 0.25, 1].map(percent), ["0", "< 0.001 %", "0.12 %", "5.7 %", "25 %", "100 %"]);
 });
 
-test("the page has 1 MB, without three.js, which has 625 KB, and a coin with shadows, which has 150 KB", () => {
+test("the page has the bytes that its table says", () => {
   const size = (path) => (statSync(path).isDirectory() ? readdirSync(path).reduce((sum, name) => sum + size(join(path, name)), 0) : statSync(path).size);
-  const total = ["index.html", "style.css", "icon.svg", "src", "eigenshade", "shadows", "vendor"].reduce((sum, name) => sum + size(join(SITE, name)), 0);
-  const three = size(join(SITE, "vendor/three.js"));
-  const parts = ["shadows", "src/shadows.js", "eigenshade/src/shadowed.js", "eigenshade/wasm/eigenshade.shadowed.wasm"];
-  const coin = parts.reduce((sum, name) => sum + size(join(SITE, name)), 0);
-  const rest = total - three - coin;
-  assert.ok(rest > 3e5 && rest < 1.02e6, `${rest} bytes`);
-  assert.ok(Math.abs(coin - 150e3) < 1e4, `${coin} bytes`);
-  assert.ok(Math.abs(three - 625e3) < 1e4, `${three} bytes`);
+  const sum = (...names) => names.reduce((sum, name) => sum + size(join(SITE, name)), 0);
+  const first = sum("index.html", "style.css", "icon.svg", "object", ...["first", "follow", "object-picture", "packed"].map((name) => `src/${name}.js`));
+  const three = sum("vendor/three.js");
+  const coin = sum("shadows", "src/shadows.js", "eigenshade/src/shadowed.js", "eigenshade/wasm/eigenshade.shadowed.wasm");
+  const all = sum("index.html", "style.css", "icon.svg", "src", "eigenshade", "object", "shadows", "vendor");
+  const readme = readFileSync(join(SITE, "README.md"), "utf8");
+  for (const [name, bytes, tolerance] of [["before the first picture", first, 4], ["later, in all", all - first - three - coin, 15], ["for a glTF file", three, 10], ["for shadows", coin, 10]]) {
+    const said = Number(new RegExp(`^\\| ${name} \\| ([\\d,]+) \\|`, "m").exec(readme)[1].replace(",", ""));
+    assert.ok(Math.abs(bytes / 1e3 - said) <= tolerance, `${name}: ${bytes} bytes`);
+  }
 });

@@ -864,7 +864,7 @@ test("opened as a file, the page says what to do", async () => {
   await page.goto(pathToFileURL(join(SITE, "index.html")).href);
   const said = page.getByRole("alert").filter({ visible: true });
   assert.match(await said.textContent(), /scripts cannot be loaded.*opened as a file.*python3 -m http.server/s);
-  assert.equal(await page.locator("main").isVisible(), false);
+  for (const id of ["first", "page"]) assert.equal(await page.locator(`#${id}`).isVisible(), false);
   await page.close();
 });
 

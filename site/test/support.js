@@ -1,6 +1,10 @@
 // The page in Debian's Chromium, served from site/.
 
+import { createReadStream } from "node:fs";
+import { join } from "node:path";
+import { Readable } from "node:stream";
 import { fileURLToPath } from "node:url";
+import { unpacked } from "../src/packed.js";
 import { launch, serve as servePackage } from "../../packages/eigenshade/test/support/browser.js";
 
 export { launch };
@@ -36,3 +40,6 @@ export const settled = (page) => page.waitForFunction(() => document.documentEle
 /** Takes WebGL 2 from a page: the CPU draws, which is faster than rendering in software. */
 export const NO_WEBGL = `const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (kind, ...all) { return kind === "webgl2" ? null : getContext.call(this, kind, ...all); };`;
+
+/** The file of the egg. */
+export const eggFile = () => unpacked(Readable.toWeb(createReadStream(join(SITE, "object/egg.bin"))));

@@ -61,11 +61,12 @@ const leaf = () => ({
 });
 
 /**
- * A file with a sphere, or with a `leaf`, of a material as glTF has it; its textures are names of `images`,
- * and drawn without interpolation. `colors` is a function of the position. `more` has other parts of the file.
+ * A file with a sphere, a `leaf` or a mesh of one's own, of a material as glTF has it; its textures are names
+ * of `images`, and drawn without interpolation. `colors` is a function of the position. `more` has other parts
+ * of the file.
  */
 export function glb({ shape = "sphere", material = {}, images = {}, colors, more = {} }) {
-  const mesh = shape === "leaf" ? leaf() : sphere(colors);
+  const mesh = typeof shape === "object" ? shape : shape === "leaf" ? leaf() : sphere(colors);
   const [parts, bufferViews, accessors] = [[], [], []];
   let end = 0;
   const view = (bytes) => {
@@ -77,7 +78,7 @@ export function glb({ shape = "sphere", material = {}, images = {}, colors, more
   };
   const accessor = (numbers, type, componentType = 5126) => {
     const array = componentType === 5126 ? Float32Array.from(numbers) : Uint32Array.from(numbers);
-    const size = { SCALAR: 1, VEC2: 2, VEC3: 3 }[type];
+    const size = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }[type];
     const bounds = (of) => Array.from({ length: size }, (_, axis) => of(...numbers.filter((_, k) => k % size === axis)));
     accessors.push({
       bufferView: view(Buffer.from(array.buffer)), componentType, type, count: numbers.length / size,
@@ -87,6 +88,7 @@ export function glb({ shape = "sphere", material = {}, images = {}, colors, more
   };
   const attributes = {
     POSITION: accessor(mesh.positions, "VEC3"), NORMAL: accessor(mesh.normals, "VEC3"), TEXCOORD_0: accessor(mesh.uvs, "VEC2"),
+    ...(mesh.tangents && { TANGENT: accessor(mesh.tangents, "VEC4") }),
     ...(mesh.colors && { COLOR_0: accessor(mesh.colors, "VEC3") }),
   };
   const primitive = { attributes, indices: accessor(mesh.indices, "SCALAR", 5125), material: 0 };

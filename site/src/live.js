@@ -1,0 +1,164 @@
+// The light that follows, the slider, and the numbers of the first sight.
+
+import { CHIPS, frameOf } from "./boards.js";
+import { toleranceOf } from "./measure.js";
+import { Parts, normalsOf } from "./parts.js";
+import { lookUp } from "./packed.js";
+import { colorsOf, screenError, seen } from "./screen.js";
+
+const find = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
+
+/** Whether the picture and its numbers are not yet those of the controls; tests wait for it. */
+const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.busy = String(is));
+
+/** The color difference is measured in every 23rd pixel. */
+const SPACING = 23;
+/** The display of the frames. */
+const DISPLAY = 240;
+
+/** @typedef {import("./packed.js").Packed} Packed */
+
+export class Live {
+  /** Called when the slider needs a new picture. */
+  changed = () => {};
+  #object;
+  #paint;
+  #parts;
+  #palettes;
+  #pixels;
+  #turn = [0, 0, 0, 1];
+  #idle = 0;
+
+  /**
+   * @param {Packed} object
+   * @param {(palettes: Float32Array) => void} paint
+   */
+  static async create(object, paint) {
+    return new Live(object, paint, await Parts.create(object.about.regions));
+  }
+
+  /**
+   * @param {Packed} object
+   * @param {(palettes: Float32Array) => void} paint
+   * @param {Parts} parts
+   */
+  constructor(object, paint, parts) {
+    this.#object = object;
+    this.#paint = paint;
+    this.#parts = parts;
+    this.#palettes = object.palettes.slice();
+    this.#pixels = sampled(object);
+    find("chip").append(...CHIPS.map(({ name }) => new Option(name)));
+    find("chip").value = "RP2350";
+    find("first-step").addEventListener("input", () => {
+      find("open-details").href = `#step=${find("first-step").value}`;
+      busy(true);
+      this.changed();
+    });
+    find("chip").addEventListener("change", () => this.#showFrames());
+  }
+
+  /** Turns the light. */
+  turn(/** @type {number[]} */ turn) {
+    this.#turn = turn;
+  }
+
+  #set(/** @type {number | undefined} */ share) {
+    this.#parts.set(this.#turn, share, this.#object.about.exposure);
+  }
+
+  /** Draws the picture, and its numbers once nothing changes. */
+  draw() {
+    busy(true);
+    this.#set(toleranceOf(Number(find("first-step").value)));
+    this.#paint(this.#parts.palettes(this.#object.about.exposure, this.#palettes));
+    this.#showFrames();
+    this.#idle ||= setTimeout(() => {
+      this.#idle = 0;
+      this.#showError();
+    }, 150);
+  }
+
+  /** Saves a file of this kind of the egg as it is shown. */
+  async download(/** @type {string} */ kind) {
+    const [egg, { save }] = await Promise.all([import("./take-egg.js"), import("./take.js")]);
+    this.#set(toleranceOf(Number(find("first-step").value)));
+    const seen = { turn: this.#turn, ...this.#object.about };
+    const name = `egg.${kind}`;
+    if (kind === "png") return find("object").toBlob((/** @type {Blob} */ picture) => save(name, picture));
+    if (kind === "json") return save(name, egg.json(this.#parts.scenes, seen));
+    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes));
+    save(name, { rs: egg.rust, c: egg.c, py: egg.pythonOf }[kind](seen));
+  }
+
+  #showFrames() {
+    const chip = CHIPS.find(({ name }) => name === find("chip").value) ?? CHIPS[0];
+    const { height, about: { regions } } = this.#object;
+    const covered = regions.reduce((/** @type {number} */ sum, /** @type {any} */ { pixels }) => sum + pixels, 0);
+    const frame = frameOf(chip.board, this.#parts.costs, covered * (DISPLAY / height) ** 2);
+    const rate = chip.clock / frame;
+    find("frames").textContent = rate < 9.95 ? rate.toFixed(1) : rate.toFixed(0);
+    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions of a ${chip.core} at ${chip.clock / 1e6} MHz`;
+  }
+
+  /**
+   * The color difference of the picture from one of all terms in every pixel, plus that of all terms from
+   * direct integration under the whole map, which is known of spheres of like materials.
+   */
+  error() {
+    const { about: { exposure, regions } } = this.#object;
+    const found = { r: [], g: [], b: [] };
+    const light = [0, 0, 0];
+    for (const { pixels } of this.#pixels) {
+      for (const pixel of pixels) {
+        lookUp(this.#object, this.#palettes, pixel, light);
+        ["r", "g", "b"].forEach((channel, c) => found[channel].push(light[c]));
+      }
+    }
+    this.#set(undefined);
+    const exact = { r: [], g: [], b: [] };
+    this.#pixels.forEach(({ pixels, normals }, region) => {
+      const [black, white] = this.#parts.shade(region, normals);
+      pixels.forEach((pixel, k) => {
+        const color = 4 * this.#object.texels[4 * pixel + 2];
+        ["r", "g", "b"].forEach((channel, c) =>
+          exact[channel].push(exposure * (black[channel][k] + this.#object.colors[color + c] * (white[channel][k] - black[channel][k]))),
+        );
+      });
+    });
+    const error = screenError(colorsOf(/** @type {any} */ (found), 1), colorsOf(/** @type {any} */ (exact), 1));
+    const all = found.r.length;
+    regions.forEach((/** @type {any} */ { direct }, /** @type {number} */ k) => {
+      const share = this.#pixels[k].pixels.length / all;
+      error.mean += share * direct.mean;
+      error.most += share * direct.most;
+    });
+    return error;
+  }
+
+  #showError() {
+    if (find("first").hidden) return;
+    const error = this.error();
+    find("difference").textContent = error.mean.toFixed(1);
+    find("seen").textContent = seen(error);
+    find("most").textContent = error.most.toFixed(1);
+    busy(false);
+  }
+}
+
+/**
+ * Pixels of each region that the object covers completely, and their normals.
+ *
+ * @param {Packed} object
+ */
+function sampled({ texels, about: { regions } }) {
+  const pixels = regions.map(() => /** @type {number[]} */ ([]));
+  for (let k = 0; k < texels.length / 4; k += SPACING) {
+    const covered = texels[4 * k + 3];
+    if (covered >> 2 === 63) pixels[covered & 3].push(k);
+  }
+  return pixels.map((/** @type {number[]} */ of) => {
+    const [u, v] = [0, 1].map((axis) => of.map((pixel) => texels[4 * pixel + axis] - 128));
+    return { pixels: of, normals: normalsOf(u, v) };
+  });
+}

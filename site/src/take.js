@@ -1,0 +1,152 @@
+// A download of what one sees: coefficients, shader, programs in Rust, C and Python, and the picture.
+
+import { inverse, matrix } from "./turn.js";
+
+/** @typedef {import("../eigenshade/src/index.js").Scene} Scene */
+
+/**
+ * What the texts describe.
+ *
+ * @typedef {object} Seen
+ * @property {string} light a shipped one
+ * @property {string | import("./state.js").Gltf} material
+ * @property {number[]} turn of the light
+ * @property {number} exposure
+ * @property {number} sources how many are drawn
+ */
+
+/** A number as Rust has it. */
+export const decimal = (/** @type {number} */ value) => {
+  const text = String(Number(value.toPrecision(6)));
+  return /[.e]/.test(text) ? text : `${text}.0`;
+};
+export const numbers = (/** @type {number[]} */ list) => list.map(decimal).join(", ");
+export const floats = (/** @type {number[]} */ list) => list.map((value) => `${decimal(value)}f`).join(", ");
+
+export const upper = (/** @type {string} */ name) => name.toUpperCase().replaceAll("-", "_");
+
+/** Linear red, green and blue of "#rrggbb". */
+const linear = (/** @type {string} */ color) =>
+  [1, 3, 5].map((at) => {
+    const code = parseInt(color.slice(at, at + 2), 16) / 255;
+    return code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
+  });
+
+const named = (/** @type {Seen["material"]} */ material) => (typeof material === "string" ? material : "a glTF material");
+const title = (/** @type {Seen} */ { light, material, sources }) =>
+  `A sphere of ${named(material)} under the light ${light}${sources ? ", without its small sources (docs/highlights.md)" : ""}.`;
+
+/** A module that draws on any target. */
+export function rust(/** @type {Seen} */ seen) {
+  const { light, material, turn, exposure } = seen;
+  const isNamed = typeof material === "string";
+  return `//! ${title(seen)}
+//! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
+
+use eigenshade::object::Disc;
+use eigenshade::presets::light::${upper(light)};
+${isNamed ? `use eigenshade::presets::material::${upper(material)};\n` : ""}use eigenshade::screen::{Display, Exposure, Target, Tone};
+use eigenshade::{${isNamed ? "" : "Material, "}Rotation, sphere};
+
+static DISPLAY: Display = Display::new(Tone::Filmic);
+
+pub fn draw(screen: &mut Target<'_>) -> Result<(), eigenshade::Error> {
+    let rotation = Rotation::from_quaternion([${numbers(turn)}])?;
+    let light = ${upper(light)}.turned::<100>(&rotation)?;
+${isNamed ? "" : `    let color = [${numbers(linear(material.baseColor))}]; // linear
+    let material = Material::metallic_roughness(color, ${decimal(material.metallic)}, ${decimal(material.roughness)})?;
+`}    let scene = sphere::color::scene(light.lights()?, ${isNamed ? upper(material) : "material.materials()?"})?;
+    let exposure = Exposure::new(${decimal(exposure)})?;
+    for pixel in Disc::new(240)? {
+        pixel.put(screen, DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal()))));
+    }
+    Ok(())
+}
+`;
+}
+
+/** A function that draws on any target. */
+export function c(/** @type {Seen} */ seen) {
+  const { light, material, turn, exposure } = seen;
+  const lower = (/** @type {string} */ name) => name.replaceAll("-", "_");
+  const isNamed = typeof material === "string";
+  return `/* ${title(seen)}
+ * With the headers and the library of crates/capi. */
+#include "eigenshade_presets.h"
+
+eigenshade_status draw(const eigenshade_target_t *target) {
+  static const float turn[4] = {${floats(turn)}};
+  static eigenshade_light_buffer_f32_t turned;
+  static eigenshade_picture_f32_t picture;
+  eigenshade_color_light_f32_t light;
+${isNamed ? "" : `  static const float color[3] = {${floats(linear(material.baseColor))}}; /* linear */
+  static eigenshade_material_buffer_f32_t buffer;
+  eigenshade_color_material_f32_t material;
+`}  eigenshade_status status =
+      eigenshade_turn_f32(&eigenshade_light_${lower(light)}_f32, turn, &turned, &light);
+${isNamed ? "" : `  if (!status)
+    status = eigenshade_metallic_roughness_f32(color, ${floats([material.metallic])}, ${floats([material.roughness])}, &buffer, &material);
+`}  if (!status)
+    status = eigenshade_picture_begin_f32(&light, &${isNamed ? `eigenshade_material_${lower(material)}_f32` : "material"}, &picture);
+  if (status) return status;
+  return eigenshade_picture_draw_disc_f32(&picture, 240, ${floats([exposure])}, &eigenshade_display_filmic, target);
+}
+`;
+}
+
+/** A script that makes a picture in linear light. */
+export function python(/** @type {Seen} */ seen) {
+  const { light, material, turn, exposure, sources } = seen;
+  const { yaw, pitch, roll } = angles(turn);
+  const made = typeof material === "string"
+    ? `es.materials["${material}"]`
+    : `es.Material.gltf("${material.baseColor}", metallic=${decimal(material.metallic)}, roughness=${decimal(material.roughness)})`;
+  return `# ${title({ ...seen, sources: 0 })}
+import eigenshade as es
+
+light = es.lights["${light}"].rotated(yaw=${decimal(yaw)}, pitch=${decimal(pitch)}, roll=${decimal(roll)})
+material = ${made}
+image = ${decimal(exposure)} * es.Table().render(light, material, size=240, sources=${sources})  # linear, 1 is white
+`;
+}
+
+/** The angles of Ry(yaw) Rx(pitch) Rz(roll). */
+export function angles(/** @type {number[]} */ turn) {
+  // Row by row: that of the inverse is its transpose.
+  const rows = matrix(inverse(turn));
+  const at = (/** @type {number} */ row, /** @type {number} */ column) => rows[3 * row + column];
+  return {
+    yaw: Math.atan2(at(0, 2), at(2, 2)),
+    pitch: Math.asin(Math.max(-1, Math.min(1, -at(1, 2)))),
+    roll: Math.atan2(at(1, 0), at(1, 1)),
+  };
+}
+
+/** A function of GLSL ES 3.00 with its numbers, whose names begin with a prefix. */
+export function glsl(/** @type {Scene} */ scene, prefix = "") {
+  const array = scene.uniforms();
+  const vectors = Array.from({ length: array.length / 4 }, (_, k) => `  vec4(${numbers([...array.subarray(4 * k, 4 * k + 4)])})`);
+  const text = scene.glsl("uniforms", prefix ? { prefix } : {});
+  const name = `vec4 ${prefix}eigenshade[${vectors.length}]`;
+  const declared = `uniform ${name};`;
+  if (!text.startsWith(declared)) throw new Error("the shader does not begin with its array");
+  return `// ${scene.label}: irradiance of a unit normal, x to the right, y up, z toward the camera.
+const ${name} = vec4[](
+${vectors.join(",\n")}
+);${text.slice(declared.length)}`;
+}
+
+/** The coefficients of the eigenimages of the table `color`, and what they are of. */
+export function json(/** @type {Scene} */ scene, /** @type {Seen} */ seen) {
+  const d = Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]]));
+  return `${JSON.stringify({ ...seen, degree: scene.degree, order: scene.order, terms: scene.terms, d }, null, 1)}\n`;
+}
+
+/** Saves a file. */
+export function save(/** @type {string} */ name, /** @type {Blob | string} */ content) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(typeof content === "string" ? new Blob([content]) : content);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}

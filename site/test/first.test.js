@@ -1,0 +1,219 @@
+// The first sight in a browser.
+
+import assert from "node:assert/strict";
+import { readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { FIRST, began } from "../src/begin.js";
+import { LIGHT, SOURCES } from "../src/parts.js";
+import { NO_WEBGL, ROOT, SITE, eggFile, launch, open, serve, settled } from "./support.js";
+
+let browser, server;
+
+before(async () => {
+  server = await serve();
+  browser = await launch();
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** In the page: the mean place of the light on the object, each from -1 to 1, and the mean code. */
+function brightness() {
+  const canvas = document.getElementById("object");
+  const side = 96;
+  const context = new OffscreenCanvas(side, side).getContext("2d");
+  context.drawImage(canvas, 0, 0, side, side);
+  const { data } = context.getImageData(0, 0, side, side);
+  const sum = { x: 0, y: 0, all: 0 };
+  for (let k = 0; k < side * side; k++) {
+    const code = data[4 * k] + data[4 * k + 1] + data[4 * k + 2];
+    sum.x += code * ((2 * (k % side)) / side - 1);
+    sum.y += code * (1 - (2 * Math.floor(k / side)) / side);
+    sum.all += code;
+  }
+  return { x: sum.x / sum.all, y: sum.y / sum.all, mean: sum.all / (3 * side * side) };
+}
+
+const text = (page, id) => page.locator(`#${id}`).textContent();
+
+describe("the first sight", { concurrency: 4 }, () => {
+  test("before the first picture there are at most ten requests and 200 KB, without compression", async () => {
+    const page = await browser.newPage({ viewport: { width: 390, height: 780 } });
+    await page.goto(server.address);
+    await page.waitForFunction(() => performance.getEntriesByName("first-picture").length);
+    const { count, bytes, names } = await page.evaluate(() => {
+      const [{ startTime }] = performance.getEntriesByName("first-picture");
+      const [whole] = performance.getEntriesByType("navigation");
+      const parts = performance.getEntriesByType("resource").filter(({ name, startTime: at }) => at < startTime && !name.endsWith("icon.svg"));
+      return { count: 1 + parts.length, bytes: [whole, ...parts].reduce((sum, { transferSize }) => sum + transferSize, 0), names: parts.map(({ name }) => name) };
+    });
+    // The icon may be asked for later, or not at all.
+    const [requests, all] = [count + 1, bytes + statSync(join(SITE, "icon.svg")).size];
+    assert.ok(requests <= 10 && all <= 200e3, `${requests} requests, ${all} bytes: ${names}`);
+    const [, said, asked] = /^\| before the first picture \| (\d+) \| (\d+) requests/m.exec(readFileSync(join(SITE, "README.md"), "utf8"));
+    assert.ok(Math.abs(all / 1e3 - Number(said)) < 2 && requests === Number(asked), `${requests} requests, ${all} bytes`);
+    assert.ok(names.some((name) => name.endsWith("egg.bin")) && !names.some((name) => name.endsWith(".wasm")), `${names}`);
+    // The picture is there, with the object in the middle and nothing in the corners.
+    assert.ok((await page.evaluate(brightness)).mean > 15);
+    await page.close();
+  });
+
+  for (const [how, script] of [["WebGL 2", undefined], ["the CPU", NO_WEBGL]]) {
+    test(`the light follows the pointer and the arrow keys, drawn by ${how}`, async () => {
+      const { page, faults } = await open(browser, server.address, { width: 640, height: 700, script });
+      const box = await page.locator("#object").boundingBox();
+      const at = async (x, y) => {
+        await page.mouse.move(box.x + (box.width * (1 + x)) / 2, box.y + (box.height * (1 - y)) / 2);
+        await settled(page);
+        return page.evaluate(brightness);
+      };
+      const [left, right, above, below] = [await at(-0.6, 0), await at(0.6, 0), await at(0, 0.6), await at(0, -0.6)];
+      assert.ok(right.x > left.x + 0.05, `${left.x} ${right.x}`);
+      assert.ok(above.y > below.y + 0.05, `${below.y} ${above.y}`);
+      await page.locator("#object").focus();
+      for (let k = 0; k < 12; k++) await page.keyboard.press("ArrowUp");
+      await settled(page);
+      assert.ok((await page.evaluate(brightness)).y > below.y + 0.05);
+      assert.deepEqual(faults, []);
+      await page.close();
+    });
+  }
+
+  test("both ways to draw give the same picture, but for scaling", async () => {
+    const pictures = [];
+    for (const script of [undefined, NO_WEBGL]) {
+      const { page } = await open(browser, server.address, { width: 640, height: 700, script });
+      pictures.push(await page.evaluate(brightness));
+      await page.close();
+    }
+    for (const key of ["x", "y"]) assert.ok(Math.abs(pictures[0][key] - pictures[1][key]) < 0.01, JSON.stringify(pictures));
+    assert.ok(Math.abs(pictures[0].mean - pictures[1].mean) < 1, JSON.stringify(pictures));
+  });
+
+  test("a drag of a finger turns the light", async () => {
+    const { page } = await open(browser, server.address, { width: 390, height: 780, hasTouch: true, script: NO_WEBGL });
+    const { x, y, width } = await page.locator("#object").boundingBox();
+    const tap = async (share) => {
+      await page.touchscreen.tap(x + share * width, y + width / 2);
+      await settled(page);
+      return (await page.evaluate(brightness)).x;
+    };
+    const left = await tap(0.2);
+    assert.ok((await tap(0.8)) > left + 0.05);
+    await page.close();
+  });
+
+  test("until it is led, the light turns slowly, and not at all for who wants less motion", async () => {
+    for (const reducedMotion of ["no-preference", "reduce"]) {
+      const page = await browser.newPage({ viewport: { width: 390, height: 780 }, reducedMotion });
+      await page.addInitScript(NO_WEBGL);
+      await page.goto(server.address);
+      await settled(page);
+      const before = await page.evaluate(brightness);
+      await page.waitForTimeout(1500);
+      const now = await page.evaluate(brightness);
+      const moved = Math.hypot(now.x - before.x, now.y - before.y);
+      assert.ok(reducedMotion === "reduce" ? moved === 0 : moved > 0.01, `${reducedMotion}: ${moved}`);
+      await page.close();
+    }
+  });
+
+  test("the slider changes picture, color difference and frames, and the chip the frames", async () => {
+    const { page, faults } = await open(browser, server.address, { width: 390, height: 780, script: NO_WEBGL });
+    const slide = async (step) => {
+      await page.locator("#first-step").fill(String(step));
+      await settled(page);
+      return { difference: Number(await text(page, "difference")), seen: await text(page, "seen"), frames: Number(await text(page, "frames")), picture: await page.evaluate(brightness) };
+    };
+    const [few, some, all] = [await slide(0), await slide(14), await slide(40)];
+    assert.ok(few.difference > 4 && few.difference > some.difference && some.difference > all.difference, JSON.stringify([few, some, all]));
+    assert.deepEqual([few, some, all].map(({ seen }) => seen), ["visible", "close", "not visible"]);
+    assert.ok(few.frames > all.frames && all.frames > 5);
+    assert.notDeepEqual(few.picture, all.picture);
+    // Chips of one instruction set differ by their clocks.
+    const { frameOf, CHIPS } = await import("../src/boards.js");
+    const rates = [];
+    for (const { name, clock } of CHIPS) {
+      await page.locator("#chip").selectOption(name);
+      rates.push(Number(await text(page, "frames")));
+      assert.match(await text(page, "frame-cost"), new RegExp(`^[\\d.]+ million instructions of a Cortex-M\\S+ at ${clock / 1e6} MHz$`));
+    }
+    assert.ok(Math.abs(rates[5] / rates[4] - 480 / 150) < 0.2, `${rates}`);
+    assert.ok(frameOf(CHIPS[0].board, [], 0) < 1e5);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+
+  test("details open with the accuracy of the first sight, by a link and back, and with any state", async () => {
+    const { page, faults } = await open(browser, server.address, { width: 390, height: 780, script: NO_WEBGL });
+    assert.ok(!(await page.locator("#page").isVisible()) && !(await page.locator("#copy").isVisible()));
+    const { step } = FIRST;
+    assert.deepEqual([await page.locator("#first-step").inputValue(), await page.locator("#open-details").getAttribute("href")], [String(step), `#step=${step}`]);
+    await page.locator("#first-step").fill("9");
+    await page.locator("#open-details").click();
+    await page.waitForFunction(() => document.getElementById("terms").textContent);
+    await settled(page);
+    assert.ok(await page.locator("#page").isVisible());
+    assert.equal(await page.locator("#step").inputValue(), "9");
+    assert.ok(!(await page.locator("#first").isVisible()));
+    // The initial state has a link, too.
+    await page.locator("#step").fill("14");
+    await page.waitForFunction(() => location.hash === "#details");
+    await page.getByRole("link", { name: "Close details" }).click();
+    assert.ok(await page.locator("#first").isVisible());
+    assert.ok(!(await page.locator("#page").isVisible()));
+    await page.goBack();
+    assert.ok(await page.locator("#page").isVisible());
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+
+  test("a file that is missing is said in place", async () => {
+    const page = await browser.newPage();
+    await page.route("**/egg.bin", (route) => route.fulfill({ status: 404 }));
+    await page.goto(server.address);
+    await settled(page);
+    assert.equal(await text(page, "first-fault"), "The picture cannot be drawn: object/egg.bin: 404; run site/build");
+    await page.close();
+  });
+
+  test("the file of the egg has the packed pixels, of which the left half mirrors the right one", async () => {
+    const { width, height, texels, palettes, about } = await eggFile();
+    const packed = readFileSync(join(ROOT, "target/page/egg.packed"));
+    const [wide, rows] = [packed.readUInt16LE(6), 12 + 6 * packed.readUInt16LE(10)];
+    const [apart, counts] = [[0, 0, 0], [0, 0]];
+    for (let row = 0; row < height; row++) {
+      const [first, last] = [row, row + 1].map((k) => rows + 4 * (height + 1) + 6 * packed.readUInt32LE(rows + 4 * k));
+      for (let at = first; at < last; ) {
+        const [start, length] = [packed.readUInt16LE(at), packed.readUInt16LE(at + 2)];
+        at += 6;
+        for (let column = start; column < start + length; column++, at += 6) {
+          const texel = 4 * (row * width + column - (wide - width) / 2);
+          const side = Number(column < wide / 2);
+          counts[side]++;
+          const off = Math.hypot(packed.readInt8(at) + 128 - texels[texel], packed.readInt8(at + 1) + 128 - texels[texel + 1]);
+          if (!side) assert.equal(off, 0, `row ${row}, column ${column}`);
+          else apart[off > 2 ? 2 : 0]++;
+        }
+      }
+    }
+    assert.ok(Math.abs(counts[0] - counts[1]) < 500 && apart[2] < 0.03 * counts[1], `${counts} ${apart}`);
+    // The errors of all terms are those of the shipped lights, between two roughnesses.
+    const errors = readFileSync(join(ROOT, "tables/inputs/sources.errors.csv"), "utf8").split("\n").map((line) => line.split(","));
+    for (const { metallic, roughness, direct } of about.regions) {
+      const sources = roughness < 0.6 ? SOURCES : 0;
+      const row = errors.find((row) => row.slice(0, 5).join() === `${LIGHT},${sources},9,7,${metallic < 0.5 ? "dielectric" : "metal"}`);
+      const tenth = Math.min(5, Math.floor(10 * roughness));
+      for (const [value, first] of [[direct.mean, 5], [direct.most, 11]]) {
+        const [a, b] = [tenth - 1, tenth].map((k) => Number(row[first + k]));
+        assert.ok(value <= Math.max(a, b) + 1e-9 && value >= Math.min(a, b) - 1e-9, `${roughness}: ${value} of ${a} and ${b}`);
+      }
+    }
+    // The palettes of the first light, in 8 bits.
+    const exact = (await began(about.regions)).palettes;
+    exact.forEach((value, k) => assert.ok(Math.abs(value - palettes[k]) <= 0.012 + 0.02 * value || value > 4, `${k}: ${value} ${palettes[k]}`));
+  });
+});

@@ -1,0 +1,172 @@
+// Downloads: what each file has, and that shaders and programs compile.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
+import { FIRST, began } from "../src/begin.js";
+import { toward } from "../src/follow.js";
+import { LIGHT } from "../src/parts.js";
+import * as egg from "../src/take-egg.js";
+import { c, python, rust } from "../src/take.js";
+import { ROOT, eggFile, launch, open, serve, settled } from "./support.js";
+
+/** Where the programs are compiled. */
+const FOLDER = join(ROOT, "target/site-take");
+
+let browser, server;
+
+before(async () => {
+  server = await serve();
+  browser = await launch();
+  mkdirSync(join(FOLDER, "src"), { recursive: true });
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** What an expression of a shader is, by WebGL 2. */
+const irradianceOf = (page, glsl, expression) => page.evaluate(([glsl, expression]) => {
+  const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
+  gl.getExtension("EXT_color_buffer_float");
+  const program = gl.createProgram();
+  for (const [kind, text] of [
+    [gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(0, 0, 0, 1); gl_PointSize = 1.0; }"],
+    [gl.FRAGMENT_SHADER, `#version 300 es\nprecision highp float;\n${glsl}\nout vec4 color; void main() { color = vec4(${expression}, 1); }`],
+  ]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  gl.useProgram(program);
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 1, 1);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
+  gl.drawArrays(gl.POINTS, 0, 1);
+  const pixel = new Float32Array(4);
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, pixel);
+  return [...pixel.subarray(0, 3)];
+}, [glsl, expression]);
+
+const text = (page, id) => page.locator(`#${id}`).textContent();
+
+describe("downloads", () => {
+  const seen = { light: "park", material: "gold-metallic-paint", turn: [0.1, 0.2, -0.3, Math.sqrt(0.86)], exposure: 1.25, sources: 0 };
+  const gltf = { ...seen, light: "lobby", material: { baseColor: "#b87333", metallic: 1, roughness: 0.4 }, sources: 2 };
+
+  const eggSeen = { turn: seen.turn, exposure: 0.5, regions: Array.from({ length: 4 }, () => ({ metallic: 1, roughness: 0.4 })) };
+
+  test("each kind is a file of what is seen, and the shader compiles", async () => {
+    const { page, faults } = await open(browser, server.address, { width: 390, height: 780, hash: "object=sphere&step=6&light=park&sources=1&exposure=1&turn=0.1,0.2,-0.3,0.92736" });
+    await page.locator("#take summary").click();
+    const file = async (kind) => {
+      const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-take=${kind}]`).click()]);
+      assert.equal(download.suggestedFilename(), `eigenshade.${kind}`);
+      return readFileSync(await download.path());
+    };
+    assert.deepEqual([...(await file("png")).subarray(0, 8)], [137, 80, 78, 71, 13, 10, 26, 10]);
+    const found = JSON.parse(await file("json"));
+    assert.deepEqual([found.light, found.material, found.degree, found.order, found.d.r.length, found.sources], ["park", "gold-metallic-paint", 9, 7, 160, 1]);
+    const glsl = String(await file("glsl"));
+    const drawn = await irradianceOf(page, glsl, "irradiance(vec3(0.36, 0.48, 0.8))");
+    const expected = await page.evaluate(async () => {
+      const { Scene } = await import("/eigenshade/src/index.js");
+      const inputs = { light: "park", material: "gold-metallic-paint", window: "auto" };
+      const [scene, best] = [await Scene.create({ ...inputs, sources: 1 }), await Scene.create({ ...inputs, sources: 16 })];
+      const length = Math.hypot(0.1, 0.2, -0.3, 0.92736);
+      scene.turn([0.1, 0.2, -0.3, 0.92736].map((along) => along / length)).within(10 ** (-0.5 - (5.5 * 6) / 39), best.exposure());
+      const { r, g, b } = scene.shade([0.36], [0.48], [0.8]);
+      return [r[0], g[0], b[0]];
+    });
+    expected.forEach((one, k) => assert.ok(Math.abs(one - drawn[k]) < 1e-3 * Math.abs(one), `${expected} ${drawn}`));
+    assert.match(String(await file("rs")), /park|PARK/);
+    assert.match(String(await file("c")), /eigenshade_light_park_f32/);
+    assert.match(String(await file("py")), /es\.lights\["park"\]/);
+    // A program names a shipped light.
+    await page.locator("h1").click();
+    await page.locator("#light").selectOption("hemisphere", { force: true });
+    await settled(page);
+    await page.locator("#take summary").click();
+    await page.locator("[data-take=rs]").click();
+    await page.waitForFunction(() => document.getElementById("take-note").textContent);
+    assert.equal(await text(page, "take-note"), "Programs are of captured lights; take the coefficients.");
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+
+  test("at first sight each kind is a file of the egg, whose shader has the page's irradiance", async () => {
+    const { page, faults } = await open(browser, server.address, { width: 390, height: 780 });
+    await page.locator("#take summary").click();
+    const file = async (kind) => {
+      const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-take=${kind}]`).click()]);
+      assert.equal(download.suggestedFilename(), `egg.${kind}`);
+      return readFileSync(await download.path());
+    };
+    assert.deepEqual([...(await file("png")).subarray(1, 4)], [...Buffer.from("PNG")]);
+    const { light, turn, regions } = JSON.parse(await file("json"));
+    assert.deepEqual([light, regions.length, regions[0].white.r.length, regions[3].black.b.length], [LIGHT, 4, 160, 160]);
+    turn.forEach((part, k) => assert.ok(Math.abs(part - toward(FIRST.place)[k]) < 1e-6));
+    const found = await irradianceOf(page, String(await file("glsl")), "irradiance(1, vec3(0.25), vec3(0.36, 0.48, 0.8))");
+    const { parts } = await began((await eggFile()).about.regions);
+    const [black, white] = parts.shade(1, [[0.36], [0.48], [0.8]].map((axis) => Float32Array.from(axis)));
+    ["r", "g", "b"].forEach((channel, k) => {
+      const expected = black[channel][0] + 0.25 * (white[channel][0] - black[channel][0]);
+      assert.ok(Math.abs(found[k] - expected) < 1e-3 * expected, `${found[k]} ${expected}`);
+    });
+    assert.match(String(await file("rs")), /presets::light::APARTMENT;/);
+    assert.match(String(await file("c")), /REGIONS = 4/);
+    assert.match(String(await file("py")), /es\.Material\.gltf\("#ffdb95", metallic=1\.0, roughness=0\.4/);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+
+  test("the program in Rust compiles", () => {
+    writeFileSync(join(FOLDER, "Cargo.toml"), `[package]\nname = "take"\nedition = "2024"\n[dependencies]\neigenshade = { path = "../..", features = ["presets"] }\n[workspace]\n`);
+    copyFileSync(join(ROOT, "Cargo.lock"), join(FOLDER, "Cargo.lock"));
+    writeFileSync(join(FOLDER, "src/lib.rs"), "#![deny(warnings)]\npub mod egg;\npub mod gltf;\npub mod named;\n");
+    writeFileSync(join(FOLDER, "src/named.rs"), rust(seen));
+    writeFileSync(join(FOLDER, "src/gltf.rs"), rust(gltf));
+    writeFileSync(join(FOLDER, "src/egg.rs"), egg.rust(eggSeen));
+    execFileSync("cargo", ["check", "--quiet", "--offline"], { cwd: FOLDER, stdio: "pipe" });
+  });
+
+  test("the program in C compiles", () => {
+    execFileSync(EIGENSHADE, ["pack-object", join(ROOT, "target/page/egg.glb"), "--size", "240", "--out", join(FOLDER, "egg.h")], { stdio: "pipe" });
+    assert.match(readFileSync(join(FOLDER, "egg.h"), "utf8"), /101, 105, 103, 111, 98, 1, 240, 0, 240, 0, 4, 0/);
+    for (const [name, text] of [["named", c(seen)], ["gltf", c(gltf)], ["egg", egg.c(eggSeen)]]) {
+      writeFileSync(join(FOLDER, `${name}.c`), text);
+      execFileSync("cc", ["-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-std=c11", "-I", join(ROOT, "crates/capi/include"), join(FOLDER, `${name}.c`)], { stdio: "pipe" });
+    }
+  });
+
+  test("the program in Python is that of the package's page, with its turn", () => {
+    const read = (path) => readFileSync(join(ROOT, path), "utf8");
+    const [page, stubs] = [read("crates/python/README.md"), read("crates/python/python/eigenshade/__init__.pyi")];
+    for (const one of [seen, gltf]) {
+      const program = python(one);
+      execFileSync("python3", ["-c", "import ast, sys; ast.parse(sys.stdin.read())"], { input: program });
+      for (const call of ["import eigenshade as es", "es.Table()", ".rotated(yaw="]) assert.ok(program.includes(call) && page.includes(call), call);
+      for (const name of ["yaw", "pitch", "roll", "size", "sources"]) assert.ok(program.includes(`${name}=`) && stubs.includes(`${name}: `), name);
+    }
+    assert.match(python(gltf), /es\.Material\.gltf\("#b87333", metallic=1\.0, roughness=0\.4\)/);
+    assert.match(page, /es\.Material\.gltf\("#b87333", metallic=1, roughness=0\.4\)/);
+  });
+
+  test("angles are those of the turn", async () => {
+    const { angles } = await import("../src/take.js");
+    const { multiply } = await import("../src/turn.js");
+    const { yaw, pitch, roll } = angles(seen.turn);
+    const about = (axis, angle) => [0, 1, 2].map((k) => (k === axis ? Math.sin(angle / 2) : 0)).concat(Math.cos(angle / 2));
+    const turn = multiply(about(1, yaw), multiply(about(0, pitch), about(2, roll)));
+    const sign = Math.sign(turn[3] * seen.turn[3]);
+    turn.forEach((part, k) => assert.ok(Math.abs(sign * part - seen.turn[k]) < 1e-5, `${turn}`));
+  });
+});
