@@ -8,6 +8,6 @@ pub mod object_description;
 pub mod output;
 pub mod picture;
 pub mod picture_file;
-pub mod pixels;
 #[cfg(feature = "generate")]
+pub mod pixels;
 pub mod table;

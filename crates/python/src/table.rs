@@ -96,8 +96,9 @@ impl Table {
     }
 
     /// The matrix from the light of one channel to d, channel by channel of the material: float64
-    /// (3, K, (degree + 1)²). ``matrix[0] @ light.coefficients[0]`` is ``project(light,
-    /// material)[0]``, less its value under no light for a table with a mean image.
+    /// (3, K, (degree + 1)²). With ``light.truncated(table.degree)``, as the shipped lights have degree
+    /// 32, ``matrix[0] @ light.coefficients[0]`` is ``project(light, material)[0]``, less its value
+    /// under no light for a table with a mean image.
     fn matrix<'py>(
         &self,
         py: Python<'py>,

@@ -48,14 +48,6 @@ pub enum Command {
     /// files: counts and words must be equal, other numbers within two units of six digits, or one
     /// of the last digit where there are fewer. Both take a minute.
     Paper(Purpose),
-    /// Spheres of GGX materials under captured lights by the runtime in f32, docs/spheres.png
-    Picture {
-        #[command(flatten)]
-        file: OutputFile,
-        /// The table of formulas
-        #[arg(long, value_name = "B.bin", default_value = "tables/pbr.bin")]
-        table: PathBuf,
-    },
     /// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights
     /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
@@ -172,7 +164,6 @@ impl Command {
     pub fn run(self) -> Result<()> {
         match self {
             Self::Paper(purpose) => files::paper(&purpose),
-            Self::Picture { file, table } => pictures::spheres(&file.out, &table),
             Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
             Self::ObjectFile { object, file } => {
                 let all = objects::all();

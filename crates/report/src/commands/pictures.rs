@@ -1,4 +1,4 @@
-//! The pictures of the README: spheres of materials under captured lights, and all presets.
+//! Pictures of all presets, and of palettes.
 
 use eigenshade::lights::Window;
 use eigenshade::object::{Disc, NormalMap};
@@ -6,79 +6,10 @@ use eigenshade::presets::{self, light, material};
 use eigenshade::screen::{Display, Exposure, Meter, Palette, Target, Tone};
 use eigenshade::{Light, Normal, Rgb, sphere};
 use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width};
-use eigenshade_cli::table;
-use eigenshade_generator::material::brdf::projection::project;
-use eigenshade_generator::material::brdf::{Ggx, Measure};
-use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::shipped;
-use eigenshade_model::srgb::srgb;
-use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::picture::write_png;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use report::numbers::exposure;
+use eigenshade_shading::shader::fault;
 use std::path::Path;
-
-/// Width of a sphere and of the gap beside it, in pixels.
-const SIZE: usize = 168;
-const GAP: usize = 12;
-/// The share of a row's values that its exposure leaves unclipped.
-const UNCLIPPED: f64 = 0.985;
-/// The light of each row.
-const LIGHTS: [&str; 2] = ["esplanade", "workshop"];
-/// The roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
-const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
-    (0.5, [1.0, 0.77, 0.34], [0.0; 3]),
-    (0.45, [0.04; 3], [0.55, 0.04, 0.03]),
-    (0.6, [0.95, 0.64, 0.54], [0.0; 3]),
-    (0.8, [0.04; 3], [0.08, 0.22, 0.45]),
-    (1.0, [0.04; 3], [0.75, 0.72, 0.66]),
-];
-
-pub fn spheres(out: &Path, table: &Path) -> Result<()> {
-    let table = table::read(table)?;
-    let (degree, order) = (table.gram.degree, table.gram.order);
-    let lights = shipped::lights()?.truncated(degree);
-    let mut materials = Vec::new();
-    for (roughness, reflectance, albedo) in MATERIALS {
-        let mut rgb = [const { Vec::new() }; 3];
-        for ((f0, albedo), channel) in reflectance.into_iter().zip(albedo).zip(&mut rgb) {
-            let brdf = Ggx::new(roughness, f0, albedo)?;
-            *channel = project(&brdf, order, Measure::Projected).coefficients;
-        }
-        materials.push(Named { name: format!("{roughness}"), rgb });
-    }
-    let basis = OwnedBasis::new(&table)?;
-    let mut shader = Shader::new(basis.basis().map_err(fault)?, table.count());
-    let view = SphereView::new(SIZE);
-    let normals = OwnedNormals::new(&view.normals);
-    let (width, height) = (across(MATERIALS.len()), across(LIGHTS.len()));
-    let mut bytes = vec![0; 4 * width * height];
-    for (row, name) in LIGHTS.into_iter().enumerate() {
-        let light = lights.entries.iter().find(|light| light.name == name);
-        let light = light.ok_or_else(|| Error::new("no such light", "take a shipped one"))?;
-        let images = materials.iter().map(|material| shader.color(light, material, &normals));
-        let images = images.collect::<Result<Vec<_>>>()?;
-        let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
-        let exposure = exposure(all, UNCLIPPED);
-        for (column, image) in images.iter().enumerate() {
-            for (k, pixel) in view.pixels.iter().enumerate() {
-                let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
-                let start = 4 * (y * width + x);
-                for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
-                    *byte = srgb(exposure * f64::from(channel[k]));
-                }
-                bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
-            }
-        }
-    }
-    write_png(out, width, height, &bytes)
-}
-
-/// The width in pixels of this many spheres side by side, with gaps on all sides.
-const fn across(count: usize) -> usize {
-    GAP + count * (SIZE + GAP)
-}
 
 /// Spheres side by side.
 const COLUMNS: usize = 11;
