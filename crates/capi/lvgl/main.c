@@ -9,7 +9,7 @@
 
 enum { SIDE = 240, ROWS = 20, DIAMETER = 150, STRIPED = 48, REGIONS = 3 };
 
-/* What a display's driver does: it sends the bytes of an area as they are. */
+/* The driver of the display: it sends the bytes of an area as they are. */
 static void flush(lv_display_t *display, const lv_area_t *area, uint8_t *bytes) {
   uint8_t *screen = lv_display_get_user_data(display);
   const size_t length = 2 * (size_t)lv_area_get_width(area);

@@ -48,6 +48,8 @@ mod baked;
 
 mod object;
 
+mod row;
+
 mod target;
 
 mod draw;

@@ -1,4 +1,4 @@
-"""Links the library of the board's processor. PlatformIO runs this, as library.json says."""
+"""Links the library of the board's processor. Named in library.json."""
 
 import os
 import sys
