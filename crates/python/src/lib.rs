@@ -16,6 +16,9 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _eigenshade {
+    /// The version of the package.
+    #[pymodule_export]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     use crate::light::Light;
     #[pymodule_export]

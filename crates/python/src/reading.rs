@@ -120,7 +120,10 @@ pub fn pixels(
     }
     let largest = each.iter().flat_map(|one| one.1).fold(0.0, |most: f64, one| most.max(one.abs()));
     if !(LARGEST.recip()..=LARGEST).contains(&largest) {
-        let what = format!("the largest number of the pixels that count is {largest:e}");
+        let what = match largest {
+            0.0 => "all pixels that count are black, or none is left".to_owned(),
+            _ => format!("the largest number of the pixels that count is {largest:e}"),
+        };
         return Err(refused(what, "show the object, and scale the picture to 1e-100 to 1e100"));
     }
     Ok(Pixels { channels, each })

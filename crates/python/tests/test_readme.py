@@ -20,3 +20,13 @@ def test_the_first_program_of_a_page_runs(page):
         # Without a mean image the projection is linear in the light.
         products = np.einsum("ckl,cl->ck", names["design"], names["light"].truncated(9).coefficients)
         assert np.allclose(products, names["d"], rtol=0, atol=1e-12 * abs(names["d"]).max())
+
+
+def test_the_reading_of_the_page_finds_its_material():
+    text = (ROOT / "crates/python/README.md").read_text()
+    blocks = [part.split("```", 1)[0] for part in text.split("```python\n")[1:]]
+    [first, reading] = [block for block in blocks if "es.Table()" in block or "table.read(" in block]
+    names = {"np": np}
+    exec(compile(first + reading, "README.md", "exec"), names)
+    assert names["reading"].materials[0][0] == "gold-metallic-paint"
+    assert names["reading"].light.coefficients.shape == (3, 100)

@@ -10,8 +10,10 @@
 Irradiance", ICCV 2003.
 """
 
+from difflib import get_close_matches
+
 from . import _eigenshade
-from ._eigenshade import Light, Material, Reading, Table
+from ._eigenshade import Light, Material, Reading, Table, __version__
 
 __all__ = ["Light", "Material", "Reading", "Table", "lights", "materials"]
 
@@ -27,7 +29,7 @@ class Named:
         try:
             return self._entries[name]
         except KeyError:
-            raise KeyError(f"no shipped {self._kind} `{name}`; keys() are their names") from None
+            raise KeyError(self._missing(name)) from None
 
     def __contains__(self, name):
         return name in self._entries
@@ -41,7 +43,12 @@ class Named:
         for entry in self._entries.values():
             if _attribute(entry.name) == name:
                 return entry
-        raise AttributeError(f"no shipped {self._kind} `{name}`; keys() are their names")
+        raise AttributeError(self._missing(name.replace("_", "-")))
+
+    def _missing(self, name):
+        near = get_close_matches(str(name), self._entries)
+        near = f"; near it: {', '.join(near)}" if near else ""
+        return f"no shipped {self._kind} `{name}`; keys() are their names{near}"
 
     def __dir__(self):
         return sorted(name for name in map(_attribute, self._entries) if name.isidentifier())

@@ -7,6 +7,8 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Light", "Material", "Reading", "Table", "lights", "materials"]
 
+__version__: str
+
 _Path = str | PathLike[str]
 _Color = str | float | tuple[float, float, float] | list[float] | NDArray[np.float64]
 _Floats = NDArray[np.float64]
