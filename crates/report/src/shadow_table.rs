@@ -43,7 +43,7 @@ pub fn limits(sheet: &Sheet) -> Part {
             iter::once(title.to_owned()).chain(cells).collect()
         });
     let columns: String = MATERIALS.iter().map(|material| format!(" | {material}:")).collect();
-    ("reliefs", table(&format!("a relief, color difference{columns}"), lines))
+    ("reliefs", table(&format!("a relief{columns}"), lines))
 }
 
 /// A column of a way and a material, from the best shape to the worst.
