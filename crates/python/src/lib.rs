@@ -18,6 +18,7 @@ use pyo3::prelude::*;
 mod _eigenshade {
     /// The version of the package.
     #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "its name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     use crate::light::Light;
