@@ -218,7 +218,7 @@ impl Format for Q15 {
         buffer: &mut LightBufferQ15,
     ) -> Result<ColorLightQ15, Status> {
         let rotation = Rotation::from_quaternion(*quaternion)?;
-        let mantissas = Rgb::from(buffer.mantissas.each_mut()).map(|to| to.as_mut_slice());
+        let mantissas = Rgb::from(buffer.mantissas.each_mut()).map(<[Q15; LIGHT]>::as_mut_slice);
         let exponents = from.turn_into(&rotation, mantissas)?;
         let channels = Rgb::from(buffer.mantissas.each_ref()).zip(from).zip(exponents);
         let channels =
