@@ -25,9 +25,10 @@ impl ShadowedObject<'_> {
     ///
     /// [`Error::Beyond`] if the light has a higher degree.
     pub fn coefficients(&self, light: Rgb<Light<'_>>) -> Result<Rgb<ObjectCoefficients>, Error> {
-        self.each_channel(light, |light, share| {
+        self.check_degrees(light.map(|light| light.degree()))?;
+        let mut found = Rgb::from([(); 3].map(|()| ObjectCoefficients::ZERO));
+        self.each_channel(light, &mut found, |light, share, found| {
             let coefficients = light.coefficients();
-            Error::check_beyond(Argument::Light, self.degree(), light.degree())?;
             let mut sums = [0.0_f32; MOST_RANK];
             for (part, rows) in self.parts().enumerate().filter(|(part, _)| share(*part) != 0) {
                 let share = f32::from(share(part)) / 32_767.0;
@@ -44,8 +45,9 @@ impl ShadowedObject<'_> {
                     *sum += share * product * power(row.exponent);
                 }
             }
-            Ok(ObjectCoefficients::of_floats(sums.get(..self.rank).unwrap_or_default()))
-        })
+            *found = ObjectCoefficients::of_floats(sums.get(..self.rank).unwrap_or_default());
+        });
+        Ok(found)
     }
 
     /// [`coefficients`](Self::coefficients) in integers.
@@ -57,9 +59,24 @@ impl ShadowedObject<'_> {
         &self,
         light: Rgb<q15::Light<'_>>,
     ) -> Result<Rgb<ObjectCoefficients>, Error> {
-        self.each_channel(light, |light, share| {
+        let mut found = Rgb::from([(); 3].map(|()| ObjectCoefficients::ZERO));
+        self.coefficients_q15_into(light, &mut found)?;
+        Ok(found)
+    }
+
+    /// [`coefficients_q15`](Self::coefficients_q15) into existing ones, which takes less stack.
+    ///
+    /// # Errors
+    ///
+    /// As [`coefficients_q15`](Self::coefficients_q15); `found` is then unchanged.
+    pub fn coefficients_q15_into(
+        &self,
+        light: Rgb<q15::Light<'_>>,
+        found: &mut Rgb<ObjectCoefficients>,
+    ) -> Result<(), Error> {
+        self.check_degrees(light.map(|light| light.degree))?;
+        self.each_channel(light, found, |light, share, found| {
             let mantissas = light.mantissas();
-            Error::check_beyond(Argument::Light, self.degree(), light.degree)?;
             // Of each component a sum, of at most 44 bits for each part, and its exponent.
             let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
             for (part, rows) in self.parts().enumerate().filter(|(part, _)| share(*part) != 0) {
@@ -80,15 +97,22 @@ impl ShadowedObject<'_> {
                 }
             }
             let sums = sums.get(..self.rank).unwrap_or_default();
-            Ok(ObjectCoefficients::of_sums(sums, light.exponent()))
-        })
+            *found = ObjectCoefficients::of_sums(sums, light.exponent());
+        });
+        Ok(())
+    }
+
+    fn check_degrees(&self, degrees: Rgb<usize>) -> Result<(), Error> {
+        let check = |degree| Error::check_beyond(Argument::Light, self.degree(), degree);
+        degrees.try_map(check).map(drop)
     }
 
     fn each_channel<L>(
         &self,
         light: Rgb<L>,
-        of: impl Fn(L, &dyn Fn(usize) -> i16) -> Result<ObjectCoefficients, Error>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        found: &mut Rgb<ObjectCoefficients>,
+        find: impl Fn(L, &dyn Fn(usize) -> i16, &mut ObjectCoefficients),
+    ) {
         let share = |channel: usize| {
             move |part: usize| {
                 let share =
@@ -97,7 +121,9 @@ impl ShadowedObject<'_> {
             }
         };
         let Rgb { r, g, b } = light;
-        Ok(Rgb { r: of(r, &share(0))?, g: of(g, &share(1))?, b: of(b, &share(2))? })
+        find(r, &share(0), &mut found.r);
+        find(g, &share(1), &mut found.g);
+        find(b, &share(2), &mut found.b);
     }
 
     /// The rows of each part.
@@ -155,6 +181,8 @@ fn added(a: (i64, i32), b: (i64, i32)) -> (i64, i32) {
 }
 
 impl ObjectCoefficients {
+    const ZERO: Self = Self { mantissas: [0; MOST_RANK], exponent: 0 };
+
     fn of_floats(numbers: &[f32]) -> Self {
         let largest = numbers.iter().fold(0.0_f32, |most, one| most.max(one.abs()));
         // The exponent with which the largest number has 15 bits, unless it is below 2^-113.

@@ -10,6 +10,7 @@ use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::turn::exchange;
 use crate::turn::swing_twist::{Arithmetic, Scales};
+use core::mem::take;
 
 /// The coefficients of a modified light, in a buffer of fixed capacity.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -68,6 +69,21 @@ impl Rgb<Light<'_>> {
         rotation: &Rotation,
     ) -> Result<Rgb<LightBuffer<N>>, Error> {
         turned((*self).into(), rotation).map(Rgb::from)
+    }
+
+    /// [`turned`](Self::turned) into memory of the caller, which takes less stack: the mantissas of
+    /// each light are the first ones of these. Returns the exponents.
+    ///
+    /// # Errors
+    ///
+    /// As [`turned`](Self::turned), where `N` is the number of mantissas. These are then left
+    /// unspecified.
+    pub fn turn_into(
+        &self,
+        rotation: &Rotation,
+        mantissas: Rgb<&mut [Q15]>,
+    ) -> Result<Rgb<i32>, Error> {
+        turn((*self).into(), rotation, mantissas.into()).map(Rgb::from)
     }
 }
 
@@ -137,18 +153,38 @@ fn turned<const C: usize, const N: usize>(
         Error::check_turned(light.degree)?;
         to.mantissas = zeros(Argument::Light, light.mantissas.len())?;
     }
+    let mantissas = turned.each_mut().map(|to| to.mantissas.as_mut_slice());
+    let exponents = turn(lights, rotation, mantissas)?;
+    turned.iter_mut().zip(exponents).for_each(|(to, exponent)| to.exponent = exponent);
+    Ok(turned)
+}
+
+/// Turns lights into the first ones of these mantissas. Returns the exponents.
+fn turn<const C: usize>(
+    lights: [Light<'_>; C],
+    rotation: &Rotation,
+    mut turned: [&mut [Q15]; C],
+) -> Result<[i32; C], Error> {
+    for (to, light) in turned.iter_mut().zip(&lights) {
+        Error::check_turned(light.degree)?;
+        let (needed, capacity) = (light.mantissas.len(), to.len());
+        let error = Error::Capacity { argument: Argument::Light, needed, capacity };
+        *to = take(to).get_mut(..needed).ok_or(error)?;
+    }
     let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();
     let mut scales = [Scales::default(); C];
     rotation.swing_twist(degree).turn::<Integers, C>(
         degree,
         lights.map(|light| light.mantissas),
-        turned.each_mut().map(|to| to.mantissas.as_mut_slice()),
+        turned.each_mut().map(|to| &mut **to),
         &mut scales,
     );
-    for ((to, light), scales) in turned.iter_mut().zip(&lights).zip(&scales) {
-        to.exponent = align(&mut to.mantissas, light, scales)?;
+    let mut exponents = [0; C];
+    let channels = turned.into_iter().zip(&lights).zip(&scales);
+    for (exponent, ((to, light), scales)) in exponents.iter_mut().zip(channels) {
+        *exponent = align(to, light, scales)?;
     }
-    Ok(turned)
+    Ok(exponents)
 }
 
 /// A product with a power of two, rounded.

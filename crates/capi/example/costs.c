@@ -159,6 +159,9 @@ TEXTURED(q15, int32_t)
     MEASURED("coefficients of shadows", name, 1,                                                  \
              eigenshade_shadowed_object_coefficients_##format(                                    \
                  &relief, &eigenshade_light_lobby_##format, &coefficients));                      \
+    STACK("coefficients of shadows", #format,                                                     \
+          eigenshade_shadowed_object_coefficients_##format(                                       \
+              &relief, &eigenshade_light_lobby_##format, &coefficients));                         \
     MEASURED("colors of shadows", name, 1,                                                        \
              eigenshade_shadowed_object_colors(&relief, &coefficients, 1.5f, display, 0, colors,  \
                                                sizeof colors));                                   \
@@ -200,6 +203,8 @@ SHADOWED(q15)
              eigenshade_project_##format(&light->r, &material->r, &workspace, &d));               \
     MEASURED("transfer", name, 1, eigenshade_transfer_##format(material, &transfer));             \
     MEASURED("turn", name, 1, eigenshade_turn_##format(light, quaternion, &buffer, &turned));     \
+    STACK("transfer", #format, eigenshade_transfer_##format(material, &transfer));                \
+    STACK("turn", #format, eigenshade_turn_##format(light, quaternion, &buffer, &turned));        \
     MEASURED("turn_about_view", name, 1,                                                          \
              eigenshade_turn_about_view_##format(light, cosine_and_sine, &buffer, &turned));      \
     MEASURED("residual", name, 1,                                                                 \

@@ -1291,7 +1291,8 @@ eigenshade_status eigenshade_baked_draw_normal_map_f32(const struct eigenshade_b
  * A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w):
  * L'(R v) = L(v) for every direction v.
  *
- * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ * The turned light is in `buffer`, and `to` points there. Uses 6 KB of stack. On an error neither
+ * may be used.
  */
 eigenshade_status eigenshade_turn_f32(const struct eigenshade_color_light_f32_t *from,
                                       const float *quaternion,
@@ -1472,7 +1473,7 @@ eigenshade_status eigenshade_linear_palette_fill_q15(const struct eigenshade_pic
                                                      struct eigenshade_linear_palette_t *palette);
 
 /**
- * `eigenshade_shadowed_object_coefficients_f32` in Q15.
+ * `eigenshade_shadowed_object_coefficients_f32` in Q15. Uses 3 KB of stack.
  */
 eigenshade_status eigenshade_shadowed_object_coefficients_q15(const struct eigenshade_shadowed_object_t *object,
                                                               const struct eigenshade_color_light_q15_t *light,
@@ -1558,7 +1559,7 @@ eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_color
 eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *normal);
 
 /**
- * `eigenshade_turn_f32` in Q15. The quaternion may have any scale.
+ * `eigenshade_turn_f32` in Q15. The quaternion may have any scale. Uses 3 KB of stack.
  */
 eigenshade_status eigenshade_turn_q15(const struct eigenshade_color_light_q15_t *from,
                                       const int32_t *quaternion,

@@ -11,7 +11,8 @@ use crate::{effects, packed_object, steps};
 /// A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w):
 /// L'(R v) = L(v) for every direction v.
 ///
-/// The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+/// The turned light is in `buffer`, and `to` points there. Uses 6 KB of stack. On an error neither
+/// may be used.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_turn_f32(
     from: *const ColorLightF32,

@@ -9,7 +9,7 @@ use crate::status::Status;
 use crate::{effects, packed_object, steps};
 use eigenshade::Q15;
 
-/// `eigenshade_turn_f32` in Q15. The quaternion may have any scale.
+/// `eigenshade_turn_f32` in Q15. The quaternion may have any scale. Uses 3 KB of stack.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_turn_q15(
     from: *const ColorLightQ15,

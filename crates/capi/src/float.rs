@@ -274,8 +274,10 @@ impl Format for f32 {
     fn object_coefficients(
         object: &ShadowedObject<'_>,
         light: Rgb<Self::OfLight<'_>>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
-        object.coefficients(light)
+        to: &mut Rgb<ObjectCoefficients>,
+    ) -> Result<(), Error> {
+        *to = object.coefficients(light)?;
+        Ok(())
     }
 
     const LIGHT_BUFFER: LightBufferF32 = LightBufferF32 { numbers: [[0.0; LIGHT]; 3] };

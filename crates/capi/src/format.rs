@@ -114,11 +114,12 @@ pub(crate) trait Format: Plain + Copy + 'static {
         buffer: &mut Self::MaterialBuffer,
     ) -> Result<[Self::Material; 2], Status>;
 
-    /// The coefficients of an object with shadows.
+    /// The coefficients of an object with shadows, which an error does not change.
     fn object_coefficients(
         object: &ShadowedObject<'_>,
         light: Rgb<Self::OfLight<'_>>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error>;
+        to: &mut Rgb<ObjectCoefficients>,
+    ) -> Result<(), Error>;
 
     /// Memory for a light.
     const LIGHT_BUFFER: Self::LightBuffer;

@@ -218,7 +218,12 @@ impl Format for Q15 {
         buffer: &mut LightBufferQ15,
     ) -> Result<ColorLightQ15, Status> {
         let rotation = Rotation::from_quaternion(*quaternion)?;
-        stored_lights(&from.turned::<LIGHT>(&rotation)?, buffer)
+        let mantissas = Rgb::from(buffer.mantissas.each_mut()).map(<[Q15; LIGHT]>::as_mut_slice);
+        let exponents = from.turn_into(&rotation, mantissas)?;
+        let channels = Rgb::from(buffer.mantissas.each_ref()).zip(from).zip(exponents);
+        let channels =
+            channels.map(|((to, from), exponent)| pointing(to, from.mantissas().len(), exponent));
+        Ok(ColorLightQ15 { r: channels.r, g: channels.g, b: channels.b })
     }
 
     fn turn_about_view(
@@ -226,7 +231,9 @@ impl Format for Q15 {
         angle: &[i32; 2],
         buffer: &mut LightBufferQ15,
     ) -> Result<ColorLightQ15, Status> {
-        stored_lights(&from.turned_about_view::<LIGHT>(*angle)?, buffer)
+        let mut turned = Rgb::default();
+        from.turn_about_view_into::<LIGHT>(*angle, &mut turned)?;
+        stored_lights(&turned, buffer)
     }
 
     fn residual(
@@ -291,8 +298,9 @@ impl Format for Q15 {
     fn object_coefficients(
         object: &ShadowedObject<'_>,
         light: Rgb<Self::OfLight<'_>>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
-        object.coefficients_q15(light)
+        to: &mut Rgb<ObjectCoefficients>,
+    ) -> Result<(), Error> {
+        object.coefficients_q15_into(light, to)
     }
 
     const LIGHT_BUFFER: LightBufferQ15 = LightBufferQ15 { mantissas: [[Q15(0); LIGHT]; 3] };

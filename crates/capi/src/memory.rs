@@ -69,10 +69,28 @@ pub(crate) unsafe fn write<M: Memory>(
         // SAFETY: this function's caller promises as much.
         unsafe { memory.zeroed() }?;
     }
+    let write = |value: &mut _| {
+        write(value);
+        Ok(())
+    };
+    // SAFETY: this function's caller promises as much.
+    unsafe { try_write(memory, write) }
+}
+
+/// Writes the value in this memory by a function that may fail, from any bytes if none was written.
+///
+/// # Safety
+///
+/// The memory overlaps nothing that is in use.
+pub(crate) unsafe fn try_write<M: Memory>(
+    memory: &Output<M>,
+    write: impl FnOnce(&mut M::Value) -> Result<(), Status>,
+) -> Result<(), Status> {
+    Input(memory.0.cast_const()).value()?;
     let memory = memory.0.cast::<Marked<M::Value>>();
     // SAFETY: the pointer was checked; the rest is as in `written`.
     let Marked { state, value } = unsafe { &mut *memory };
-    write(value);
+    write(value)?;
     *state = M::MARK;
     Ok(())
 }

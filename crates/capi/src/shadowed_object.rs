@@ -5,7 +5,7 @@ use crate::boundary::{Input, Mark, Output, Place, Plain, disjoint};
 use crate::constants::OBJECT_COEFFICIENTS;
 use crate::draw::Display;
 use crate::format::Format;
-use crate::memory::{Memory, assert_fits, write, written};
+use crate::memory::{Memory, assert_fits, try_write, written};
 use crate::row::Row;
 use crate::status::Status;
 use crate::target::{Drawn, Encoding, Target, Window};
@@ -97,12 +97,14 @@ pub(crate) fn coefficients<F: Format>(
     F::check(light.value)?;
     disjoint(&[coefficients.place()], &places)?;
     disjoint(&[coefficients.place()], &light.places)?;
-    let found = F::object_coefficients(&object, light.value).map_err(|error| match error {
-        Error::Beyond { .. } => Status::LightBeyond,
-        other => other.into(),
-    })?;
+    let find = |to: &mut _| {
+        F::object_coefficients(&object, light.value, to).map_err(|error| match error {
+            Error::Beyond { .. } => Status::LightBeyond,
+            other => other.into(),
+        })
+    };
     // SAFETY: it overlaps no other.
-    unsafe { write(coefficients, |to| *to = found) }
+    unsafe { try_write(coefficients, find) }
 }
 
 pub(crate) fn colors(

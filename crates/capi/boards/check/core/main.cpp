@@ -1,4 +1,5 @@
-/* Runs a sketch for three frames, or with PICTURE for one, as a picture (PPM). */
+/* Runs a sketch for three frames, or with PICTURE for one, as a picture (PPM). On a board, the last
+ * line is `stack,` and the bytes of stack that the sketch took at most, with printing. */
 #include "Arduino.h"
 
 #include <stdio.h>
@@ -47,7 +48,33 @@ void print_picture(const uint16_t *pixels, int width, int height) {
 void setup();
 void loop();
 
+#if defined(__arm__) || defined(__riscv)
+
+enum { PAINTED = 16384 };
+static const uint8_t COLOR = 0x5a;
+
+/* Paints the stack below the caller, and returns its lowest address. */
+__attribute__((noinline)) static uintptr_t paint() {
+  volatile uint8_t stack[PAINTED];
+  for (int k = 0; k < PAINTED; k++) stack[k] = COLOR;
+  return (uintptr_t)stack;
+}
+
+int main() {
+  const uintptr_t lowest = paint();
+  for (setup(); frame < FRAMES; frame++) loop();
+  const volatile uint8_t *const stack = (const volatile uint8_t *)lowest;
+  int unused = 0;
+  while (unused < PAINTED && stack[unused] == COLOR) unused++;
+  printf("stack,%d\n", PAINTED - unused);
+  return 0;
+}
+
+#else
+
 int main() {
   for (setup(); frame < FRAMES; frame++) loop();
   return 0;
 }
+
+#endif

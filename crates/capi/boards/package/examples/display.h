@@ -1,4 +1,9 @@
-// The display that the sketch draws on. Change this file for yours.
+// The display that the sketch draws on. Change this file for yours. An ILI9341 unless one of these:
+// #define USE_ST7789
+// #define USE_TFT_ESPI
+//
+// The display's pins SCK and MOSI go to those of the board's SPI, CS and DC to the pins below, RST
+// and LED to 3.3 V.
 #ifndef DISPLAY_H
 #define DISPLAY_H
 
@@ -17,6 +22,18 @@ static void show(uint16_t *frame, int size) { tft.pushImage(0, 0, size, size, fr
 
 #else
 
+#ifdef USE_ST7789
+
+#include <Adafruit_ST7789.h>
+static Adafruit_ST7789 tft(10, 9, -1);  // the pins CS and DC, and no RST
+
+static void begin_display() {
+  tft.init(240, 240);  // the size; on a display without CS, (240, 240, SPI_MODE3)
+  tft.fillScreen(0);
+}
+
+#else
+
 #include <Adafruit_ILI9341.h>
 static Adafruit_ILI9341 tft(10, 9);  // the pins CS and DC
 
@@ -24,6 +41,8 @@ static void begin_display() {
   tft.begin();
   tft.fillScreen(0);
 }
+
+#endif
 
 static void show(uint16_t *frame, int size) { tft.drawRGBBitmap(0, 0, frame, size, size); }
 
@@ -37,10 +56,12 @@ static void check(eigenshade_status status) {
   }
 }
 
-// Turns a light about the vertical by an angle in radians.
-static void turn(const eigenshade_color_light_q15_t &from, float angle,
-                 eigenshade_light_buffer_q15_t &buffer, eigenshade_color_light_q15_t &to) {
-  const int32_t y = 16384 * sinf(angle / 2), w = 16384 * cosf(angle / 2);
+// Turns a light about the vertical, once in PERIOD milliseconds.
+static void turn(const eigenshade_color_light_q15_t &from, eigenshade_light_buffer_q15_t &buffer,
+                 eigenshade_color_light_q15_t &to) {
+  const uint32_t PERIOD = 6000;
+  const float half = 3.14159265f / PERIOD * (millis() % PERIOD);  // of the angle, in radians
+  const int32_t y = 16384 * sinf(half), w = 16384 * cosf(half);
   const int32_t quaternion[4] = {0, y, 0, w};
   check(eigenshade_turn_q15(&from, quaternion, &buffer, &to));
 }

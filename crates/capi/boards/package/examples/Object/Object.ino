@@ -27,7 +27,7 @@ void setup() {
 }
 
 void loop() {
-  turn(eigenshade_light_lobby_q15, millis() / 1000.0f, buffer, light);
+  turn(eigenshade_light_lobby_q15, buffer, light);
   check(eigenshade_picture_relight_q15(&tinted, &light, &of_tinted));
   check(eigenshade_picture_relight_q15(&plain, &light, &of_plain));
   check(eigenshade_linear_palette_fill_q15(&of_tinted, &of_plain, 0.7f, &nodes, &palette));

@@ -24,7 +24,7 @@ void setup() {
 }
 
 void loop() {
-  turn(eigenshade_light_lobby_q15, millis() / 1000.0f, buffer, light);
+  turn(eigenshade_light_lobby_q15, buffer, light);
   check(eigenshade_picture_relight_q15(&gold, &light, &picture));
   check(eigenshade_palette_fill_q15(&picture, 1.5f, &eigenshade_display_filmic, &nodes, &palette));
 

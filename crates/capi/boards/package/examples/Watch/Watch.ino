@@ -27,7 +27,7 @@ void setup() {
 }
 
 void loop() {
-  turn(eigenshade_light_hall_q15, millis() / 1000.0f, buffer, light);
+  turn(eigenshade_light_hall_q15, buffer, light);
   check(eigenshade_picture_relight_q15(&blue, &light, &picture));
   check(eigenshade_palette_fill_q15(&picture, 2, &eigenshade_display_filmic, &nodes, &palette));
   check(eigenshade_shadowed_object_coefficients_q15(&relief, &light, &coefficients));
