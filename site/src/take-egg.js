@@ -1,7 +1,9 @@
 // A download of the first sight: the egg's coefficients, shader and programs.
 
+import { srgb } from "./color.js";
+import { GOLD } from "./gold.js";
 import { LIGHT, SOURCES } from "./parts.js";
-import { decimal, floats, glsl, numbers, python, upper } from "./take.js";
+import { decimal, floats, glsl, numbers, part, python, upper } from "./take.js";
 
 /**
  * @typedef {object} Seen
@@ -11,7 +13,7 @@ import { decimal, floats, glsl, numbers, python, upper } from "./take.js";
  */
 
 const FILE = "node site/egg.js egg.glb, then eigenshade pack-object egg.glb --size 240 --out";
-const TITLE = `The egg under the light ${LIGHT}, without its small sources (docs/highlights.md).`;
+const TITLE = `The egg under the light ${LIGHT}; its lamps are blurred (docs/highlights.md).`;
 
 /** A module that draws on any target. */
 export const rust = (/** @type {Seen} */ { turn, exposure }) => `//! ${TITLE}
@@ -83,8 +85,10 @@ eigenshade_status draw(const eigenshade_target_t *target) {
 `;
 
 /** A script that draws a sphere of the egg's gold, because Python draws no textures. */
-export const pythonOf = (/** @type {Seen} */ { turn, exposure, regions }) =>
-  python({ light: LIGHT, material: { baseColor: "#ffdb95", metallic: 1, roughness: regions[0].roughness }, turn, exposure, sources: SOURCES });
+export const pythonOf = (/** @type {Seen} */ { turn, exposure }) => {
+  const baseColor = `#${GOLD.color.map((x) => Math.round(srgb(x)).toString(16).padStart(2, "0")).join("")}`;
+  return python({ light: LIGHT, material: { ...GOLD, baseColor }, turn, exposure, sources: SOURCES, window: "none" });
+};
 
 const NAMES = ["black", "white"];
 
@@ -108,13 +112,13 @@ ${cases.join("\n")}
 }
 
 /**
- * The coefficients of the eigenimages of the table `color` of a black and a white base color of each region.
+ * The coefficients of the eigenimages of a black and a white base color of each region.
  *
  * @param {import("./take.js").Scene[]} scenes two of each region
  * @param {Seen} seen
  */
 export function json(scenes, { turn, exposure, regions }) {
-  const d = scenes.map((scene) => Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]])));
-  const parts = regions.map(({ metallic, roughness }, k) => ({ metallic, roughness, black: d[2 * k], white: d[2 * k + 1] }));
+  const [black, white] = [0, 1].map((base) => scenes.filter((_, k) => k % 2 === base).map(part));
+  const parts = regions.map(({ metallic, roughness }, k) => ({ metallic, roughness, black: black[k], white: white[k] }));
   return `${JSON.stringify({ light: LIGHT, turn, exposure, regions: parts }, null, 1)}\n`;
 }

@@ -1,11 +1,12 @@
-// A download of what one sees: coefficients, shader, programs in Rust, C and Python, and the picture.
+// Downloads: coefficients, shader, programs in Rust, C and Python, and the picture.
 
+import { linear } from "./color.js";
 import { inverse, matrix } from "./turn.js";
 
 /** @typedef {import("../eigenshade/src/index.js").Scene} Scene */
 
 /**
- * What the texts describe.
+ * The sphere that the texts describe.
  *
  * @typedef {object} Seen
  * @property {string} light a shipped one
@@ -13,6 +14,7 @@ import { inverse, matrix } from "./turn.js";
  * @property {number[]} turn of the light
  * @property {number} exposure
  * @property {number} sources how many are drawn
+ * @property {number | "none"} window its width in degrees
  */
 
 /** A number as Rust has it. */
@@ -26,21 +28,23 @@ export const floats = (/** @type {number[]} */ list) => list.map((value) => `${d
 export const upper = (/** @type {string} */ name) => name.toUpperCase().replaceAll("-", "_");
 
 /** Linear red, green and blue of "#rrggbb". */
-const linear = (/** @type {string} */ color) =>
-  [1, 3, 5].map((at) => {
-    const code = parseInt(color.slice(at, at + 2), 16) / 255;
-    return code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
-  });
+const channels = (/** @type {string} */ color) => [1, 3, 5].map((at) => linear(parseInt(color.slice(at, at + 2), 16) / 255));
+
+/** The window of a scene, as {@link Scene} takes it. */
+export const windowOf = (/** @type {Scene} */ { windowWidth }) => (Number.isFinite(windowWidth) ? windowWidth : "none");
 
 const named = (/** @type {Seen["material"]} */ material) => (typeof material === "string" ? material : "a glTF material");
-const title = (/** @type {Seen} */ { light, material, sources }) =>
-  `A sphere of ${named(material)} under the light ${light}${sources ? ", without its small sources (docs/highlights.md)" : ""}.`;
+/** The sphere, and the differences of a program's picture from the page's. */
+const title = (/** @type {Seen} */ { light, material, sources, window }, marks = "") => {
+  const differences = [sources ? "its lamps are blurred (docs/highlights.md)" : "", window === "none" ? "" : "no window lessens its dark rings"];
+  return [`A sphere of ${named(material)} under the light ${light}`, ...differences.filter(Boolean)].join(`;\n${marks} `) + ".";
+};
 
 /** A module that draws on any target. */
 export function rust(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const isNamed = typeof material === "string";
-  return `//! ${title(seen)}
+  return `//! ${title(seen, "//!")}
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 
 use eigenshade::object::Disc;
@@ -53,7 +57,7 @@ static DISPLAY: Display = Display::new(Tone::Filmic);
 pub fn draw(screen: &mut Target<'_>) -> Result<(), eigenshade::Error> {
     let rotation = Rotation::from_quaternion([${numbers(turn)}])?;
     let light = ${upper(light)}.turned::<100>(&rotation)?;
-${isNamed ? "" : `    let color = [${numbers(linear(material.baseColor))}]; // linear
+${isNamed ? "" : `    let color = [${numbers(channels(material.baseColor))}]; // linear
     let material = Material::metallic_roughness(color, ${decimal(material.metallic)}, ${decimal(material.roughness)})?;
 `}    let scene = sphere::color::scene(light.lights()?, ${isNamed ? upper(material) : "material.materials()?"})?;
     let exposure = Exposure::new(${decimal(exposure)})?;
@@ -70,7 +74,7 @@ export function c(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const lower = (/** @type {string} */ name) => name.replaceAll("-", "_");
   const isNamed = typeof material === "string";
-  return `/* ${title(seen)}
+  return `/* ${title(seen, " *")}
  * With the headers and the library of crates/capi. */
 #include "eigenshade_presets.h"
 
@@ -79,7 +83,7 @@ eigenshade_status draw(const eigenshade_target_t *target) {
   static eigenshade_light_buffer_f32_t turned;
   static eigenshade_picture_f32_t picture;
   eigenshade_color_light_f32_t light;
-${isNamed ? "" : `  static const float color[3] = {${floats(linear(material.baseColor))}}; /* linear */
+${isNamed ? "" : `  static const float color[3] = {${floats(channels(material.baseColor))}}; /* linear */
   static eigenshade_material_buffer_f32_t buffer;
   eigenshade_color_material_f32_t material;
 `}  eigenshade_status status =
@@ -101,7 +105,7 @@ export function python(/** @type {Seen} */ seen) {
   const made = typeof material === "string"
     ? `es.materials["${material}"]`
     : `es.Material.gltf("${material.baseColor}", metallic=${decimal(material.metallic)}, roughness=${decimal(material.roughness)})`;
-  return `# ${title({ ...seen, sources: 0 })}
+  return `# ${title({ ...seen, sources: 0 }, "#")}
 import eigenshade as es
 
 light = es.lights["${light}"].rotated(yaw=${decimal(yaw)}, pitch=${decimal(pitch)}, roll=${decimal(roll)})
@@ -136,10 +140,21 @@ ${vectors.join(",\n")}
 );${text.slice(declared.length)}`;
 }
 
-/** The coefficients of the eigenimages of the table `color`, and what they are of. */
-export function json(/** @type {Scene} */ scene, /** @type {Seen} */ seen) {
+/** The coefficients of the eigenimages of the table `color`, of the light without the sources that are drawn. */
+export function part(/** @type {Scene} */ scene) {
+  const { sources, degree, order, terms } = scene;
   const d = Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]]));
-  return `${JSON.stringify({ ...seen, degree: scene.degree, order: scene.order, terms: scene.terms, d }, null, 1)}\n`;
+  return { sources, window: windowOf(scene), degree, order, terms, d };
+}
+
+/** The same, with the scene. */
+export const json = (/** @type {Scene} */ scene, /** @type {Seen} */ seen) => `${JSON.stringify({ ...seen, ...part(scene) }, null, 1)}\n`;
+
+/** Saves a canvas's picture. */
+export async function savePicture(/** @type {string} */ name, /** @type {HTMLCanvasElement} */ canvas) {
+  const picture = await new Promise((/** @type {BlobCallback} */ done) => canvas.toBlob(done));
+  if (!picture) throw new Error("This browser makes no PNG of the picture.");
+  save(name, picture);
 }
 
 /** Saves a file. */

@@ -116,7 +116,7 @@ on("the split view has ours, all terms, the nine-term formula and the difference
     const { nineTerms, shadeNine } = await import("/src/nine.js");
     const { meanOf, pictureOf } = await import("/src/measure.js");
     const { ambient } = await import("/src/harmonics.js");
-    const { encoded } = await import("/src/cpu.js");
+    const { encoded } = await import("/src/color.js");
     const scene = await Scene.create({ light: ambient(), material: "gold-metallic-paint", sources: 1, window: "auto" });
     const light = await lightPreset("park", { sources: "auto" });
     const terms = nineTerms(light, meanOf(pictureOf(scene)));
