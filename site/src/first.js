@@ -15,14 +15,25 @@ let details;
 /** Shows the details if the address holds a state, else the first sight. */
 function route() {
   const open = location.hash.length > 1;
+  const isOther = find("page").hidden === open;
   find("first").hidden = open;
   find("page").hidden = !open;
-  for (const button of document.querySelectorAll(".only-details")) /** @type {HTMLElement} */ (button).hidden = !open;
+  for (const one of document.querySelectorAll(".only-details, .only-first")) /** @type {HTMLElement} */ (one).hidden = one.classList.contains("only-first") === open;
   find("take").open = false;
   if (open) details ??= import("./main.js").catch(withoutDetails);
   else start();
+  return isOther;
 }
-addEventListener("hashchange", route);
+addEventListener("hashchange", async () => {
+  if (!route()) return;
+  const open = find("first").hidden;
+  find(open ? "picture" : "open-details").focus({ preventScroll: true });
+  if (open || !find("terms").textContent) return;
+  // The accuracy of the details.
+  find("first-step").value = find("step").value;
+  await started;
+  find("first-step").dispatchEvent(new Event("input"));
+});
 
 /** Goes back to the first sight, from where a link tries again. */
 function withoutDetails(/** @type {Error} */ { message }) {
@@ -37,7 +48,7 @@ const say = (/** @type {string} */ text) => (find("first-fault").textContent = t
 
 const take = find("take");
 take.addEventListener("click", async (/** @type {PointerEvent} */ { target }) => {
-  const { take: kind } = /** @type {HTMLElement} */ (target).dataset;
+  const kind = /** @type {Element} */ (target).closest("[data-take]")?.getAttribute("data-take");
   if (!kind) return;
   find("take-note").textContent = "";
   try {

@@ -23,6 +23,9 @@ export function toward([x, y]) {
   return multiply(between([0, 0, 1], mirrored), FRONT);
 }
 
+/** Milliseconds for which the light moves by itself. */
+const WANDERS = 10e3;
+
 /** The place of the light after some seconds: on an ellipse that starts at its first place. */
 export const wander = ([x, y], /** @type {number} */ seconds) => [
   x * Math.cos(0.7 * seconds) + 0.6 * Math.sin(0.7 * seconds),
@@ -37,7 +40,7 @@ function between([a, b, c], [x, y, z]) {
 }
 
 /**
- * Turns the light: slowly by itself, until a pointer or a key moves it.
+ * Turns the light: slowly by itself for ten seconds, until a pointer or a key moves it.
  *
  * @param {HTMLElement} stage
  * @param {HTMLCanvasElement} canvas of the object, on the stage
@@ -56,6 +59,7 @@ export function follow(stage, canvas, first, live) {
     frame = 0;
     if (stage.hidden) return;
     if (!isLed) wanted = wander(first, (now - began) / 1000);
+    isLed ||= now - began > WANDERS;
     const away = Math.hypot(wanted[0] - place[0], wanted[1] - place[1]);
     // A fifth of the way, so that the light does not jump.
     const way = still.matches || away < 1e-3 ? 1 : 0.2;

@@ -51,6 +51,7 @@ export class Live {
     this.#pixels = sampled(object);
     find("chip").append(...CHIPS.map(({ name }) => new Option(name)));
     find("chip").value = "RP2350";
+    find("first-step").disabled = false;
     find("first-step").addEventListener("input", () => {
       find("open-details").href = `#step=${find("first-step").value}`;
       this.announce();
@@ -93,10 +94,10 @@ export class Live {
     const [egg, { save, savePicture }] = await Promise.all([import("./take-egg.js"), import("./take.js")]);
     this.#set();
     const seen = { turn: this.#turn, ...this.#object.about };
-    const name = `egg.${kind}`;
+    const name = kind === "py" ? "gold-sphere.py" : `egg.${kind}`;
     if (kind === "png") return savePicture(name, find("object"));
     if (kind === "json") return save(name, egg.json(this.#parts.scenes, seen));
-    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes));
+    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes, seen));
     save(name, { rs: egg.rust, c: egg.c, py: egg.pythonOf }[kind](seen));
   }
 
@@ -107,12 +108,14 @@ export class Live {
     const frame = frameOf(chip.board, this.#parts.costs, covered * (DISPLAY / height) ** 2);
     const rate = chip.clock / frame;
     find("frames").textContent = rate < 9.95 ? rate.toFixed(1) : rate.toFixed(0);
-    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions of a ${chip.core} at ${chip.clock / 1e6} MHz`;
+    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions of a ${chip.core} at ${chip.clock / 1e6} MHz${chip.counted ? `, ${chip.counted}` : ""}`;
+    this.#describe();
   }
 
   /**
    * The color difference of the picture from one of all terms in every pixel, plus that of all terms from
-   * direct integration under the whole map, which is known of spheres of like materials.
+   * direct integration under the whole map, which is known of spheres of like materials and stays at any
+   * accuracy.
    */
   error() {
     const { about: { exposure, regions } } = this.#object;
@@ -136,14 +139,20 @@ export class Live {
       });
     });
     this.#set();
-    const error = screenError(colorsOf(/** @type {any} */ (found), 1), colorsOf(/** @type {any} */ (exact), 1));
+    const error = { ...screenError(colorsOf(/** @type {any} */ (found), 1), colorsOf(/** @type {any} */ (exact), 1)), stays: 0 };
     const all = found.r.length;
     regions.forEach((/** @type {any} */ { direct }, /** @type {number} */ k) => {
       const share = this.#pixels[k].pixels.length / all;
-      error.mean += share * direct.mean;
+      error.stays += share * direct.mean;
       error.most += share * direct.most;
     });
+    error.mean += error.stays;
     return error;
+  }
+
+  /** Says the numbers as the value of the slider. */
+  #describe() {
+    find("first-step").setAttribute("aria-valuetext", `color difference ${find("difference").textContent}, ${find("frames").textContent} frames a second`);
   }
 
   #showError() {
@@ -152,6 +161,8 @@ export class Live {
     find("difference").textContent = error.mean.toFixed(1);
     find("seen").textContent = seen(error);
     find("most").textContent = error.most.toFixed(1);
+    find("stays").textContent = error.stays.toFixed(1);
+    this.#describe();
     busy(this.#isAwaited);
   }
 }

@@ -3,7 +3,7 @@
 import { srgb } from "./color.js";
 import { GOLD } from "./gold.js";
 import { LIGHT, SOURCES } from "./parts.js";
-import { decimal, floats, glsl, numbers, part, python, upper } from "./take.js";
+import { LIBRARY, decimal, floats, glsl, numbers, part, python, upper } from "./take.js";
 
 /**
  * @typedef {object} Seen
@@ -17,6 +17,7 @@ const TITLE = `The egg under the light ${LIGHT}; its lamps are blurred (docs/hig
 
 /** A module that draws on any target. */
 export const rust = (/** @type {Seen} */ { turn, exposure }) => `//! ${TITLE}
+//! With ${LIBRARY}.
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 //! The object: ${FILE} egg.rs
 
@@ -52,7 +53,7 @@ pub fn draw(
 
 /** A function that draws on any target. */
 export const c = (/** @type {Seen} */ { turn, exposure, regions }) => `/* ${TITLE}
- * With the headers and the library of crates/capi.
+ * With the headers and the library of crates/capi, from ${LIBRARY}.
  * The object: ${FILE} egg.h */
 #include "eigenshade_presets.h"
 #include "egg.h"
@@ -96,14 +97,22 @@ const NAMES = ["black", "white"];
  * Functions of GLSL ES 3.00 of a black and a white base color of each region, and one for all.
  *
  * @param {import("./take.js").Scene[]} scenes two of each region
+ * @param {Seen} seen
  */
-export function shader(scenes) {
+export function shader(scenes, { exposure, regions }) {
   const prefix = (/** @type {number} */ k) => `${NAMES[k % 2]}${k >> 1}_`;
   const cases = scenes.filter((_, k) => k % 2).map((_, region) => {
     const [black, white] = [0, 1].map((base) => `${prefix(2 * region + base)}irradiance(normal)`);
     return `  ${region < scenes.length / 2 - 1 ? `if (region == ${region}) ` : ""}return mix(${black}, ${white}, base);`;
   });
-  return `${scenes.map((scene, k) => glsl(scene, prefix(k))).join("\n")}
+  const text = scenes.map((scene, k) => glsl(scene, prefix(k), `Region ${k >> 1}, ${NAMES[k % 2]}`));
+  const list = regions.map(({ metallic, roughness }, k) => `//   ${k}: metallic ${decimal(metallic)}, roughness ${decimal(roughness)}`);
+  return `// The egg under the light ${LIGHT}, with ${LIBRARY}.
+// Regions, in the order of the file of ${FILE} egg.bin:
+${list.join("\n")}
+// Color of a pixel: x = ${decimal(exposure)} * irradiance(region, base, normal), clipped below 0, then
+// x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), clipped above 1, then sRGB.
+${text.join("\n")}
 // The irradiance of a unit normal, x to the right, y up, z toward the camera, of a linear base color.
 vec3 irradiance(int region, vec3 base, vec3 normal) {
 ${cases.join("\n")}

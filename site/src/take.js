@@ -17,6 +17,9 @@ import { inverse, matrix } from "./turn.js";
  * @property {number | "none"} window its width in degrees
  */
 
+/** The library, and the page that says how to get it. */
+export const LIBRARY = "eigenshade 0.1.0 (README.md of its repository)";
+
 /** A number as Rust has it. */
 export const decimal = (/** @type {number} */ value) => {
   const text = String(Number(value.toPrecision(6)));
@@ -45,6 +48,7 @@ export function rust(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const isNamed = typeof material === "string";
   return `//! ${title(seen, "//!")}
+//! With ${LIBRARY}.
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 
 use eigenshade::object::Disc;
@@ -75,7 +79,7 @@ export function c(/** @type {Seen} */ seen) {
   const lower = (/** @type {string} */ name) => name.replaceAll("-", "_");
   const isNamed = typeof material === "string";
   return `/* ${title(seen, " *")}
- * With the headers and the library of crates/capi. */
+ * With the headers and the library of crates/capi, from ${LIBRARY}. */
 #include "eigenshade_presets.h"
 
 eigenshade_status draw(const eigenshade_target_t *target) {
@@ -98,7 +102,7 @@ ${isNamed ? "" : `  if (!status)
 `;
 }
 
-/** A script that makes a picture in linear light. */
+/** A script that writes a picture in sRGB, without the page's curve. */
 export function python(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure, sources } = seen;
   const { yaw, pitch, roll } = angles(turn);
@@ -106,11 +110,17 @@ export function python(/** @type {Seen} */ seen) {
     ? `es.materials["${material}"]`
     : `es.Material.gltf("${material.baseColor}", metallic=${decimal(material.metallic)}, roughness=${decimal(material.roughness)})`;
   return `# ${title({ ...seen, sources: 0 }, "#")}
+# With ${LIBRARY}.
 import eigenshade as es
+import numpy as np
 
 light = es.lights["${light}"].rotated(yaw=${decimal(yaw)}, pitch=${decimal(pitch)}, roll=${decimal(roll)})
 material = ${made}
-image = ${decimal(exposure)} * es.Table().render(light, material, size=240, sources=${sources})  # linear, 1 is white
+image = es.Table().render(light, material, size=240, sources=${sources})  # linear, and coverage
+color = np.clip(${decimal(exposure)} * image[..., :3], 0, 1)
+color = np.where(color <= 0.0031308, 12.92 * color, 1.055 * color ** (1 / 2.4) - 0.055)  # sRGB
+with open("sphere.ppm", "wb") as file:
+    file.write(b"P6 240 240 255\\n" + (255 * color * image[..., 3:] + 0.5).astype(np.uint8).tobytes())
 `;
 }
 
@@ -127,14 +137,14 @@ export function angles(/** @type {number[]} */ turn) {
 }
 
 /** A function of GLSL ES 3.00 with its numbers, whose names begin with a prefix. */
-export function glsl(/** @type {Scene} */ scene, prefix = "") {
+export function glsl(/** @type {Scene} */ scene, prefix = "", title = scene.label) {
   const array = scene.uniforms();
   const vectors = Array.from({ length: array.length / 4 }, (_, k) => `  vec4(${numbers([...array.subarray(4 * k, 4 * k + 4)])})`);
   const text = scene.glsl("uniforms", prefix ? { prefix } : {});
   const name = `vec4 ${prefix}eigenshade[${vectors.length}]`;
   const declared = `uniform ${name};`;
   if (!text.startsWith(declared)) throw new Error("the shader does not begin with its array");
-  return `// ${scene.label}: irradiance of a unit normal, x to the right, y up, z toward the camera.
+  return `// ${title}: irradiance of a unit normal, x to the right, y up, z toward the camera.
 const ${name} = vec4[](
 ${vectors.join(",\n")}
 );${text.slice(declared.length)}`;
@@ -163,5 +173,6 @@ export function save(/** @type {string} */ name, /** @type {Blob | string} */ co
   link.href = URL.createObjectURL(typeof content === "string" ? new Blob([content]) : content);
   link.download = name;
   link.click();
+  /** @type {HTMLElement} */ (document.getElementById("take-note")).textContent = `Saved ${name}`;
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

@@ -144,7 +144,7 @@ describe("the first sight", { concurrency: 4 }, () => {
 
   test("a drag of a finger turns the light", async () => {
     const { page } = await open(browser, server.address, { width: 390, height: 780, hasTouch: true, script: NO_WEBGL });
-    assert.ok(!(await page.getByText("Move the pointer").isVisible()) && (await page.getByText("Drag on the egg: the light follows.").isVisible()));
+    assert.ok(!(await page.getByText("The light follows the pointer").isVisible()) && (await page.getByText("Drag on the egg: the light follows.").isVisible()));
     const { x, y, width } = await page.locator("#object").boundingBox();
     const session = await page.context().newCDPSession(page);
     const touch = async (type, ...shares) => {
@@ -178,7 +178,7 @@ describe("the first sight", { concurrency: 4 }, () => {
     await page.close();
   });
 
-  test("until it is led, the light turns slowly, but not for readers who prefer less motion", async () => {
+  test("until it is led, the light turns slowly for ten seconds, but not for readers who prefer less motion", async () => {
     for (const reducedMotion of ["no-preference", "reduce"]) {
       const page = await browser.newPage({ viewport: { width: 390, height: 780 }, reducedMotion });
       await page.addInitScript(NO_WEBGL);
@@ -189,6 +189,12 @@ describe("the first sight", { concurrency: 4 }, () => {
       const now = await page.evaluate(brightness);
       const moved = Math.hypot(now.x - before.x, now.y - before.y);
       assert.ok(reducedMotion === "reduce" ? moved === 0 : moved > 0.01, `${reducedMotion}: ${moved}`);
+      // It stops after ten seconds.
+      await page.waitForTimeout(11e3);
+      await settled(page);
+      const late = await page.evaluate(brightness);
+      await page.waitForTimeout(500);
+      assert.deepEqual(await page.evaluate(brightness), late);
       await page.close();
     }
   });
@@ -198,9 +204,10 @@ describe("the first sight", { concurrency: 4 }, () => {
     const slide = async (step) => {
       await page.locator("#first-step").fill(String(step));
       await settled(page);
-      return { difference: Number(await text(page, "difference")), seen: await text(page, "seen"), frames: Number(await text(page, "frames")), picture: await page.evaluate(brightness) };
+      return { difference: Number(await text(page, "difference")), seen: await text(page, "seen"), stays: Number(await text(page, "stays")), frames: Number(await text(page, "frames")), picture: await page.evaluate(brightness) };
     };
     const [few, some, all] = [await slide(0), await slide(14), await slide(40)];
+    assert.ok(all.difference >= all.stays && all.difference - all.stays < 0.11 && all.stays > 0.4 && few.stays === all.stays, JSON.stringify([few, all]));
     assert.ok(few.difference > 4 && few.difference > some.difference && some.difference > all.difference, JSON.stringify([few, some, all]));
     assert.deepEqual([few, some, all].map(({ seen }) => seen), ["visible", "close", "not visible"]);
     assert.ok(few.frames > all.frames && all.frames > 5);
@@ -212,10 +219,10 @@ describe("the first sight", { concurrency: 4 }, () => {
     // Chips of one instruction set differ by their clocks.
     const { frameOf, CHIPS } = await import("../src/boards.js");
     const rates = [];
-    for (const { name, clock } of CHIPS) {
+    for (const { name, clock, core, board } of CHIPS) {
       await page.locator("#chip").selectOption(name);
       rates.push(Number(await text(page, "frames")));
-      assert.match(await text(page, "frame-cost"), new RegExp(`^[\\d.]+ million instructions of a Cortex-M\\S+ at ${clock / 1e6} MHz$`));
+      assert.match(await text(page, "frame-cost"), new RegExp(`^[\\d.]+ million instructions of a ${core.replace("+", "\\+")} at ${clock / 1e6} MHz${core.startsWith(board.name) ? "" : `, counted on a ${board.name}`}$`));
     }
     assert.ok(Math.abs(rates[5] / rates[4] - 480 / 150) < 0.2, `${rates}`);
     assert.ok(frameOf(CHIPS[0].board, [], 0) < 1e5);
@@ -235,11 +242,18 @@ describe("the first sight", { concurrency: 4 }, () => {
     assert.ok(await page.locator("#page").isVisible());
     assert.equal(await page.locator("#step").inputValue(), "9");
     assert.ok(!(await page.locator("#first").isVisible()));
+    const focused = () => page.evaluate(() => document.activeElement?.id);
+    assert.equal(await focused(), "picture");
     // The initial state has a link, too.
     await page.locator("#step").fill("14");
     await page.waitForFunction(() => location.hash === "#details");
     await page.getByRole("link", { name: "Close details" }).click();
     assert.ok(await page.locator("#first").isVisible());
+    assert.equal(await focused(), "open-details");
+    // The accuracy stays.
+    await settled(page);
+    assert.deepEqual([await page.locator("#first-step").inputValue(), await page.locator("#open-details").getAttribute("href")], ["14", "#step=14"]);
+    assert.equal(await page.locator("#first-step").getAttribute("aria-valuetext"), `color difference ${await text(page, "difference")}, ${await text(page, "frames")} frames a second`);
     assert.ok(!(await page.locator("#page").isVisible()));
     await page.goBack();
     assert.ok(await page.locator("#page").isVisible());

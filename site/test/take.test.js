@@ -110,7 +110,8 @@ describe("downloads", () => {
     await page.locator("#take summary").click();
     const file = async (kind) => {
       const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-take=${kind}]`).click()]);
-      assert.equal(download.suggestedFilename(), `egg.${kind}`);
+      assert.equal(download.suggestedFilename(), kind === "py" ? "gold-sphere.py" : `egg.${kind}`);
+      assert.equal(await text(page, "take-note"), `Saved ${download.suggestedFilename()}`);
       return readFileSync(await download.path());
     };
     assert.deepEqual([...(await file("png")).subarray(1, 4)], [...Buffer.from("PNG")]);
@@ -162,9 +163,12 @@ describe("downloads", () => {
   test("the program in Python is that of the package's page, with its turn", () => {
     const read = (path) => readFileSync(join(ROOT, path), "utf8");
     const [page, stubs] = [read("crates/python/README.md"), read("crates/python/python/eigenshade/__init__.pyi")];
+    const version = /^version = "(.*)"$/m.exec(read("Cargo.toml"))[1];
+    for (const write of [rust, c, python]) assert.ok(write(seen).includes(`eigenshade ${version} (README.md`));
     for (const one of [seen, gltf]) {
       const program = python(one);
       execFileSync("python3", ["-c", "import ast, sys; ast.parse(sys.stdin.read())"], { input: program });
+      assert.match(program, /\* image\[\.\.\., :3\].*\n.*\n.*open\("sphere.ppm", "wb"\).*\n.*b"P6 240 240 255\\n" \+/);
       for (const call of ["import eigenshade as es", "es.Table()", ".rotated(yaw="]) assert.ok(program.includes(call) && page.includes(call), call);
       for (const name of ["yaw", "pitch", "roll", "size", "sources"]) assert.ok(program.includes(`${name}=`) && stubs.includes(`${name}: `), name);
     }
