@@ -79,6 +79,14 @@ function start() {
   });
 }
 
+/** Modules of what follows, which are fetched at once, because they import each other in five levels. */
+const MODULES = [
+  ...["live", "follow", "parts", "screen", "measure", "boards", "turn", "plot", "state", "harmonics", "pursuit"].map((name) => `./${name}`),
+  ...["index", "assets", "engine", "preview", "presets", "input", "scene", "sphere", "renderer", "suggest", "exposure", "steps", "shader", "window", "programs"]
+    .map((name) => `../eigenshade/src/${name}`),
+  "../vendor/culori",
+];
+
 async function begin() {
   busy(true);
   const response = await fetch(new URL("../object/egg.bin", import.meta.url));
@@ -89,6 +97,10 @@ async function begin() {
   // The first frame shows the picture, and the second one comes after it.
   for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
   performance.mark("first-picture");
+  for (const name of MODULES) {
+    const href = new URL(`${name}.js`, import.meta.url).href;
+    document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href }));
+  }
   const [{ Live }, { follow }] = await Promise.all([import("./live.js"), import("./follow.js")]);
   const live = await Live.create(object, draw);
   follow(find("first"), canvas, object.about.place, live);

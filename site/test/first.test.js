@@ -56,6 +56,11 @@ describe("the first sight", { concurrency: 4 }, () => {
     const [, said, asked] = /^\| before the first picture \| (\d+) \| (\d+) requests/m.exec(readFileSync(join(SITE, "README.md"), "utf8"));
     assert.ok(Math.abs(all / 1e3 - Number(said)) < 2 && requests === Number(asked), `${requests} requests, ${all} bytes`);
     assert.ok(names.some((name) => name.endsWith("egg.bin")) && !names.some((name) => name.endsWith(".wasm")), `${names}`);
+    // All later modules are fetched at once.
+    await settled(page);
+    const later = await page.evaluate(() => [performance.getEntriesByType("resource").map(({ name }) => name), Array.from(document.querySelectorAll("[rel=modulepreload]"), ({ href }) => href)]);
+    const scripts = later[0].filter((name) => name.endsWith(".js") && !name.endsWith("/first.js"));
+    assert.deepEqual([...new Set(scripts)].sort(), [...later[1]].sort());
     // The picture is there, with the object in the middle and nothing in the corners.
     assert.ok((await page.evaluate(brightness)).mean > 15);
     await page.close();
