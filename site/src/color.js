@@ -17,10 +17,13 @@ export const encoded = (/** @type {number} */ x, tone = true) => {
   return srgb(Math.min(1, tone ? filmic(positive) : positive));
 };
 
+/** The page's curve of x. */
+export const CURVE = `x * (${A} * x + ${B}) / (x * (${C} * x + ${D}) + ${E})`;
+
 /** The page's curve. An f32 has to hold the square. */
 export const FILMIC = `vec3 filmic(vec3 x) {
   x = clamp(x, 0.0, 1e15);
-  return x * (${A} * x + ${B}) / (x * (${C} * x + ${D}) + ${E});
+  return ${CURVE};
 }`;
 
 /** sRGB of what is clipped to 1. */

@@ -1,6 +1,6 @@
 // A download of the first sight: the egg's coefficients, shader and programs.
 
-import { srgb } from "./color.js";
+import { CURVE, srgb } from "./color.js";
 import { GOLD } from "./gold.js";
 import { LIGHT, SOURCES } from "./parts.js";
 import { LIBRARY, decimal, floats, glsl, numbers, part, python, upper } from "./take.js";
@@ -111,7 +111,7 @@ export function shader(scenes, { exposure, regions }) {
 // Regions, in the order of the file of ${FILE} egg.bin:
 ${list.join("\n")}
 // Color of a pixel: x = ${decimal(exposure)} * irradiance(region, base, normal), clipped below 0, then
-// x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), clipped above 1, then sRGB.
+// ${CURVE}, clipped above 1, then sRGB.
 ${text.join("\n")}
 // The irradiance of a unit normal, x to the right, y up, z toward the camera, of a linear base color.
 vec3 irradiance(int region, vec3 base, vec3 normal) {

@@ -5,6 +5,8 @@ import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { FIRST, began } from "../src/begin.js";
+import { toward } from "../src/follow.js";
+import { MOST } from "../src/packed.js";
 import { LIGHT, SOURCES } from "../src/parts.js";
 import { NO_WEBGL, ROOT, SITE, eggFile, launch, open, serve, settled } from "./support.js";
 
@@ -325,7 +327,12 @@ describe("the first sight", { concurrency: 4 }, () => {
       }
     }
     // The palettes of the first light, in 8 bits.
-    const exact = (await began(about.regions)).palettes;
+    const { palettes: exact, parts, exposure } = await began(about.regions);
     exact.forEach((value, k) => assert.ok(Math.abs(value - palettes[k]) <= 0.012 + 0.02 * value, `${k}: ${value} ${palettes[k]}`));
+    // No light is clipped.
+    for (let k = 0; k < 16; k++) {
+      parts.set(toward([0, 1].map((axis) => 0.6 * Math.cos((k * Math.PI) / 8 - (axis * Math.PI) / 2))), undefined, exposure);
+      assert.ok(parts.palettes(exposure).every((value) => value < MOST));
+    }
   });
 });
