@@ -79,7 +79,7 @@ function start() {
   });
 }
 
-/** Modules of what follows, which are fetched at once, because they import each other in five levels. */
+/** Later modules, fetched at once because they import each other in five levels. */
 const MODULES = [
   ...["live", "follow", "parts", "screen", "measure", "boards", "turn", "plot", "state", "harmonics", "pursuit"].map((name) => `./${name}`),
   ...["index", "assets", "engine", "preview", "presets", "input", "scene", "sphere", "renderer", "suggest", "exposure", "steps", "shader", "window", "programs"]

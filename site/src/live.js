@@ -76,7 +76,7 @@ export class Live {
     busy(true);
   }
 
-  /** Draws the picture, and its numbers a little later; `isAwaited` says whether another one follows. */
+  /** Draws the picture, and its numbers a little later. `isAwaited`: another picture follows. */
   draw(isAwaited = false) {
     this.#isAwaited = isAwaited;
     busy(true);
@@ -114,8 +114,8 @@ export class Live {
 
   /**
    * The color difference of the picture from one of all terms in every pixel, plus that of all terms from
-   * direct integration under the whole map, which is known of spheres of like materials and stays at any
-   * accuracy.
+   * direct integration under the whole map, which is known of spheres of like materials and stays
+   * at any accuracy.
    */
   error() {
     const { about: { exposure, regions } } = this.#object;

@@ -1,5 +1,5 @@
-// The reflection of the page's object: for each region a black and a white base color, between which
-// all its base colors are.
+// The reflection of the page's object: for each region a black and a white base color, between
+// which all its base colors are.
 
 import { Scene } from "../eigenshade/src/index.js";
 import { MOST, NODES, SIDE } from "./packed.js";

@@ -150,7 +150,7 @@ ${vectors.join(",\n")}
 );${text.slice(declared.length)}`;
 }
 
-/** The coefficients of the eigenimages of the table `color`, of the light without the sources that are drawn. */
+/** The coefficients of the eigenimages of the table `color`, for light without drawn sources. */
 export function part(/** @type {Scene} */ scene) {
   const { sources, degree, order, terms } = scene;
   const d = Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]]));
