@@ -20,7 +20,7 @@ function route() {
   find("page").hidden = !open;
   for (const one of document.querySelectorAll(".only-details, .only-first")) /** @type {HTMLElement} */ (one).hidden = one.classList.contains("only-first") === open;
   find("take").open = false;
-  if (open) details ??= import("./main.js").catch(withoutDetails);
+  if (open) details ??= import("./main.js").then(withDetails, withoutDetails);
   else start();
   return isOther;
 }
@@ -34,6 +34,12 @@ addEventListener("hashchange", async () => {
   await started;
   find("first-step").dispatchEvent(new Event("input"));
 });
+
+/** Takes back the message of an earlier attempt. */
+async function withDetails(/** @type {typeof import("./main.js")} */ module) {
+  if (await started) say("");
+  return module;
+}
 
 /** Goes back to the first sight, from where a link tries again. */
 function withoutDetails(/** @type {Error} */ { message }) {

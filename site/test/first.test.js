@@ -282,6 +282,7 @@ describe("the first sight", { concurrency: 4 }, () => {
     await page.locator("#open-details").click();
     await page.waitForFunction(() => document.getElementById("terms").textContent);
     assert.ok(await page.locator("#page").isVisible());
+    assert.equal(await text(page, "first-fault"), "");
     await page.close();
   });
 
