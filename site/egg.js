@@ -3,6 +3,8 @@
 
 import { writeFileSync } from "node:fs";
 import { glb } from "../packages/eigenshade/test/support/glb.js";
+import { srgb } from "./src/color.js";
+import { GOLD } from "./src/gold.js";
 
 /** Texels, and half of the longitudes that they cover. */
 const [ACROSS, DOWN, EDGE] = [1536, 1536, 0.53 * Math.PI];
@@ -22,7 +24,6 @@ function outline(t) {
 // The places of the pattern, as angles from the top.
 const [CAP, UPPER, LOWER, FOOT] = [0.36, 1.42, 1.86, 2.74];
 
-const GOLD = { color: [1, 0.72, 0.3], metallic: 1, roughness: 0.4 };
 const PEARL = { color: [0.86, 0.8, 0.72], metallic: 0, roughness: 0.35 };
 const CREAM = { color: [0.83, 0.76, 0.62], metallic: 0, roughness: 0.35 };
 const BLUE = { color: [0.03, 0.15, 0.6], metallic: 1, roughness: 0.44 };
@@ -92,8 +93,6 @@ function trellis(phi, t, r) {
   return { height: side * 0.012 * Math.cos(16 * angle) * smooth(0.03, 0.2, radius), ...BLUE };
 }
 
-const srgb = (/** linear */ x) => Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
-
 function textures() {
   const count = ACROSS * DOWN;
   const heights = new Float32Array(count);
@@ -105,7 +104,7 @@ function textures() {
       const at = row * ACROSS + column;
       const { height, color, metallic, roughness } = surface(phiOf(column), tOf(row));
       heights[at] = height;
-      base.set(color.map((x) => srgb(x)), 4 * at);
+      base.set(color.map((x) => Math.round(srgb(x))), 4 * at);
       mr.set([0, Math.round(255 * roughness), 255 * metallic], 4 * at);
     }
   }

@@ -34,10 +34,10 @@ for (let row = 0; row < height; row++) {
 }
 const half = right - width / 2;
 const kept = Array.from({ length: half * height }, (_, k) => pixels[Math.floor(k / half) * width + width / 2 + (k % half)]);
-const { palette, index } = quantized(Buffer.concat(kept.map(({ six }) => Buffer.from([...six.subarray(2, 5), 255]))));
+const { palette, index } = quantized(Buffer.concat(kept.map(({ six }) => six.subarray(2))));
 const codes = [0, 1].map((axis) => Buffer.from(kept.map(({ six }) => six.readInt8(axis) + 128)));
 const differences = codes.map((plane) => plane.map((code, k) => code - (k < half ? 0 : plane[k - half])));
-const colors = Buffer.from(kept.map(({ six }) => index.get(six.readUIntBE(2, 3))));
+const colors = Buffer.from(kept.map(({ six }) => index.get(six.readUIntBE(2, 3)) ?? 0));
 const covered = Buffer.from(kept.map(({ six, region }) => 4 * Math.round((63 * six[5]) / 255) + region));
 
 /**

@@ -4,12 +4,12 @@
  * The colors of a picture, chosen by halving boxes of colors at the middle of their widest side, and a map
  * from a color, 65536 red + 256 green + blue, to its place among them.
  *
- * @param {Uint8Array} pixels red, green, blue and opacity, which is left out
+ * @param {Uint8Array} pixels red, green, blue and opacity; those of opacity 0 are left out
  */
 export function quantized(pixels) {
   const counts = new Map();
   const keyOf = (at) => (pixels[at] << 16) | (pixels[at + 1] << 8) | pixels[at + 2];
-  for (let at = 0; at < pixels.length; at += 4) counts.set(keyOf(at), (counts.get(keyOf(at)) ?? 0) + 1);
+  for (let at = 0; at < pixels.length; at += 4) if (pixels[at + 3]) counts.set(keyOf(at), (counts.get(keyOf(at)) ?? 0) + 1);
   const channel = (key, c) => (key >> (16 - 8 * c)) & 255;
   const boxOf = (keys) => {
     const spans = [0, 1, 2].map((c) => {

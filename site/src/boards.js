@@ -22,8 +22,8 @@ export const CHIPS = Object.freeze([
   { name: "nRF52840", core: "Cortex-M4F", clock: 64e6, board: BOARDS[1] },
   { name: "SAMD51", core: "Cortex-M4F", clock: 120e6, board: BOARDS[1] },
   { name: "STM32F405", core: "Cortex-M4F", clock: 168e6, board: BOARDS[1] },
-  { name: "RP2350", core: "Cortex-M33", clock: 150e6, board: BOARDS[1] },
-  { name: "STM32H743", core: "Cortex-M7", clock: 480e6, board: BOARDS[1] },
+  { name: "RP2350", core: "Cortex-M33", clock: 150e6, board: BOARDS[1], counted: "counted on a Cortex-M4F" },
+  { name: "STM32H743", core: "Cortex-M7", clock: 480e6, board: BOARDS[1], counted: "counted on a Cortex-M4F" },
 ]);
 
 /**

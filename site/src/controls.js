@@ -10,6 +10,7 @@ import { readable } from "./thumbnails.js";
 
 export const find = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
 export const wide = matchMedia("(min-width: 960px)");
+const coarse = matchMedia("(pointer: coarse)");
 
 const NAMES = { ambient: "Ambient", hemisphere: "Hemisphere", directional: "Directional" };
 const EFFECT_TEXT = {
@@ -75,7 +76,7 @@ export function controls(state, { drawing, hasOwn, isModel, turnsLight, tab: sho
     ? "This browser has no WebGL 2: the CPU draws a sphere. Drag or use arrow keys to turn the light."
     : state.object === "sphere"
       ? "Drag or use arrow keys to turn the light: a sphere looks the same from every side."
-      : `Drag or use arrow keys to turn the ${turns}; Alt-drag, two fingers or Shift+arrow keys turn the ${other}.`;
+      : `Drag or use arrow keys to turn the ${turns}; ${coarse.matches ? "two fingers" : "Alt-drag, two fingers or Shift+arrow keys"} turn the ${other}.`;
   const light = state.light === "own" ? state.ownLight?.name : state.light;
   const material = isModel ? "its own materials" : typeof state.material === "string" ? readable(state.material) : "a glTF material";
   find("picture").setAttribute("aria-label", `${OBJECT_TEXT[drawing ? state.object : "sphere"]} of ${material} under the light ${light}`);

@@ -2,18 +2,10 @@
 // cases.
 
 import { sphere } from "../eigenshade/src/index.js";
+import { encoded } from "./color.js";
 import { shadeNine } from "./nine.js";
 
 /** @typedef {{ r: ArrayLike<number>, g: ArrayLike<number>, b: ArrayLike<number> }} Values */
-
-const filmic = (/** @type {number} */ x) => (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
-const srgb = (/** @type {number} */ x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
-
-/** The code of an exposed value, by the page's curve or as it is. */
-export const encoded = (/** @type {number} */ x, tone = true) => {
-  const positive = Math.max(0, x);
-  return srgb(Math.min(1, tone ? filmic(positive) : positive));
-};
 
 /**
  * The normals of a sphere's pixels, row by row from the top, where they are, and their coverage.

@@ -1,6 +1,7 @@
 // Draws objects under a scene by WebGL 2: the sphere, meshes, normal maps, and views that compare.
 
 import { Programs } from "../eigenshade/src/programs.js";
+import { ENCODED, FILMIC } from "./color.js";
 import { GLSL as NINE } from "./nine.js";
 import { inverse, matrix } from "./turn.js";
 
@@ -61,15 +62,8 @@ in vec2 at;
 flat in float side;
 out vec4 color;
 
-vec3 encoded(vec3 x) {
-  x = clamp(x, 0.0, 1.0);
-  return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, vec3(lessThanEqual(x, vec3(0.0031308))));
-}
-vec3 filmic(vec3 x) {
-  // f32 has to hold its square.
-  x = clamp(x, 0.0, 1e15);
-  return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-}
+${ENCODED}
+${FILMIC}
 /** A normal that faces away moves to the rim. */
 vec3 visible(vec3 n) {
   n = normalize(n);

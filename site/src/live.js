@@ -1,7 +1,7 @@
 // The light that follows, the slider, and the numbers of the first sight.
 
 import { CHIPS, frameOf } from "./boards.js";
-import { toleranceOf } from "./measure.js";
+import { ALL_TERMS, toleranceOf } from "./measure.js";
 import { Parts, normalsOf } from "./parts.js";
 import { lookUp } from "./packed.js";
 import { colorsOf, screenError, seen } from "./screen.js";
@@ -28,6 +28,7 @@ export class Live {
   #pixels;
   #turn = [0, 0, 0, 1];
   #idle = 0;
+  #isAwaited = false;
 
   /**
    * @param {Packed} object
@@ -50,9 +51,10 @@ export class Live {
     this.#pixels = sampled(object);
     find("chip").append(...CHIPS.map(({ name }) => new Option(name)));
     find("chip").value = "RP2350";
+    find("first-step").disabled = false;
     find("first-step").addEventListener("input", () => {
       find("open-details").href = `#step=${find("first-step").value}`;
-      busy(true);
+      this.announce();
       this.changed();
     });
     find("chip").addEventListener("change", () => this.#showFrames());
@@ -63,14 +65,22 @@ export class Live {
     this.#turn = turn;
   }
 
-  #set(/** @type {number | undefined} */ share) {
-    this.#parts.set(this.#turn, share, this.#object.about.exposure);
+  /** Turns the light, and takes the terms of a step, by default that of the slider. */
+  #set(step = Number(find("first-step").value)) {
+    this.#parts.set(this.#turn, toleranceOf(step), this.#object.about.exposure);
   }
 
-  /** Draws the picture, and its numbers once nothing changes. */
-  draw() {
+  /** Another picture will follow. */
+  announce() {
+    this.#isAwaited = true;
     busy(true);
-    this.#set(toleranceOf(Number(find("first-step").value)));
+  }
+
+  /** Draws the picture, and its numbers a little later. `isAwaited`: another picture follows. */
+  draw(isAwaited = false) {
+    this.#isAwaited = isAwaited;
+    busy(true);
+    this.#set();
     this.#paint(this.#parts.palettes(this.#object.about.exposure, this.#palettes));
     this.#showFrames();
     this.#idle ||= setTimeout(() => {
@@ -81,13 +91,13 @@ export class Live {
 
   /** Saves a file of this kind of the egg as it is shown. */
   async download(/** @type {string} */ kind) {
-    const [egg, { save }] = await Promise.all([import("./take-egg.js"), import("./take.js")]);
-    this.#set(toleranceOf(Number(find("first-step").value)));
+    const [egg, { save, savePicture }] = await Promise.all([import("./take-egg.js"), import("./take.js")]);
+    this.#set();
     const seen = { turn: this.#turn, ...this.#object.about };
-    const name = `egg.${kind}`;
-    if (kind === "png") return find("object").toBlob((/** @type {Blob} */ picture) => save(name, picture));
+    const name = kind === "py" ? "gold-sphere.py" : `egg.${kind}`;
+    if (kind === "png") return savePicture(name, find("object"));
     if (kind === "json") return save(name, egg.json(this.#parts.scenes, seen));
-    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes));
+    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes, seen));
     save(name, { rs: egg.rust, c: egg.c, py: egg.pythonOf }[kind](seen));
   }
 
@@ -98,12 +108,14 @@ export class Live {
     const frame = frameOf(chip.board, this.#parts.costs, covered * (DISPLAY / height) ** 2);
     const rate = chip.clock / frame;
     find("frames").textContent = rate < 9.95 ? rate.toFixed(1) : rate.toFixed(0);
-    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions of a ${chip.core} at ${chip.clock / 1e6} MHz`;
+    find("frame-cost").textContent = `${(frame / 1e6).toFixed(1)} million instructions of a ${chip.core} at ${chip.clock / 1e6} MHz${chip.counted ? `, ${chip.counted}` : ""}`;
+    this.#describe();
   }
 
   /**
    * The color difference of the picture from one of all terms in every pixel, plus that of all terms from
-   * direct integration under the whole map, which is known of spheres of like materials.
+   * direct integration under the whole map, which is known of spheres of like materials and stays
+   * at any accuracy.
    */
   error() {
     const { about: { exposure, regions } } = this.#object;
@@ -115,7 +127,7 @@ export class Live {
         ["r", "g", "b"].forEach((channel, c) => found[channel].push(light[c]));
       }
     }
-    this.#set(undefined);
+    this.#set(ALL_TERMS);
     const exact = { r: [], g: [], b: [] };
     this.#pixels.forEach(({ pixels, normals }, region) => {
       const [black, white] = this.#parts.shade(region, normals);
@@ -126,14 +138,21 @@ export class Live {
         );
       });
     });
-    const error = screenError(colorsOf(/** @type {any} */ (found), 1), colorsOf(/** @type {any} */ (exact), 1));
+    this.#set();
+    const error = { ...screenError(colorsOf(/** @type {any} */ (found), 1), colorsOf(/** @type {any} */ (exact), 1)), stays: 0 };
     const all = found.r.length;
     regions.forEach((/** @type {any} */ { direct }, /** @type {number} */ k) => {
       const share = this.#pixels[k].pixels.length / all;
-      error.mean += share * direct.mean;
+      error.stays += share * direct.mean;
       error.most += share * direct.most;
     });
+    error.mean += error.stays;
     return error;
+  }
+
+  /** Says the numbers as the value of the slider. */
+  #describe() {
+    find("first-step").setAttribute("aria-valuetext", `color difference ${find("difference").textContent}, ${find("frames").textContent} frames a second`);
   }
 
   #showError() {
@@ -142,7 +161,9 @@ export class Live {
     find("difference").textContent = error.mean.toFixed(1);
     find("seen").textContent = seen(error);
     find("most").textContent = error.most.toFixed(1);
-    busy(false);
+    find("stays").textContent = error.stays.toFixed(1);
+    this.#describe();
+    busy(this.#isAwaited);
   }
 }
 

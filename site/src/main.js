@@ -361,9 +361,9 @@ export async function download(/** @type {string} */ kind) {
   const { ours } = scenes;
   ours.turn(state.turn).within(measure.toleranceOf(state.step), scenes.exposure);
   const { light, material, turn } = state;
-  const seen = { light, material, turn, exposure: scenes.exposure * 2 ** state.exposure, sources: ours.sources };
+  const seen = { light, material, turn, exposure: scenes.exposure * 2 ** state.exposure, sources: ours.sources, window: files.windowOf(ours) };
   const name = `eigenshade.${kind}`;
-  if (kind === "png") return canvas.toBlob((picture) => picture && files.save(name, picture));
+  if (kind === "png") return files.savePicture(name, canvas);
   if (kind === "json") return files.save(name, files.json(ours, seen));
   if (kind === "glsl") return files.save(name, files.glsl(ours));
   if (light === "own" || Object.hasOwn(ANALYTIC, light)) throw new Error("Programs are of captured lights; take the coefficients.");

@@ -5,16 +5,15 @@ import { Scene } from "../eigenshade/src/index.js";
 import { EigenMaterial } from "../eigenshade/src/three.js";
 import * as THREE from "../vendor/three.js";
 import { RADIUS } from "./draw.js";
+import { FILMIC } from "./color.js";
 import { checkGltf } from "./gltf.js";
 import { MOST } from "./objects.js";
 
 /** The curve of the page. */
 THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace(
   "vec3 CustomToneMapping( vec3 color ) { return color; }",
-  `vec3 CustomToneMapping(vec3 color) {
-    color = clamp(color, 0.0, 1e15);
-    return color * (2.51 * color + 0.03) / (color * (2.43 * color + 0.59) + 0.14);
-  }`,
+  `${FILMIC}
+  vec3 CustomToneMapping(vec3 color) { return filmic(color); }`,
 );
 
 /** Pixels on a side of the picture that is metered. */

@@ -1,5 +1,6 @@
 // Pictures of the packed object on a canvas, from palettes: by WebGL 2, or else on the CPU.
 
+import { ENCODED, FILMIC, encoded } from "./color.js";
 import { NODES, SIDE, lookUp } from "./packed.js";
 
 /** The object's share of the canvas's height. */
@@ -17,10 +18,8 @@ uniform sampler2DArray palettes;
 uniform float size;
 out vec4 color;
 
-vec3 encoded(vec3 x) {
-  x = clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
-  return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308)));
-}
+${ENCODED}
+${FILMIC}
 
 vec4 texel(ivec2 at) {
   if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(object, 0)))) return vec4(0);
@@ -30,7 +29,7 @@ vec4 texel(ivec2 at) {
   vec3 black = texture(palettes, vec3(node, 2u * region)).rgb;
   vec3 white = texture(palettes, vec3(node, 2u * region + 1u)).rgb;
   vec3 light = mix(black, white, texelFetch(colors, ivec2(packed.b, 0), 0).rgb);
-  return float(packed.a >> 2) / 63.0 * vec4(encoded(light), 1.0);
+  return float(packed.a >> 2) / 63.0 * vec4(encoded(filmic(light)), 1.0);
 }
 
 void main() {
@@ -47,14 +46,15 @@ void main() {
 /** @typedef {import("./packed.js").Packed} Packed */
 
 /**
- * What draws an object on a canvas: palettes to picture.
+ * Makes the function that draws an object on a canvas from palettes.
  *
  * @param {HTMLCanvasElement} canvas
  * @param {Packed} object
+ * @param {(text: string) => void} say what is wrong, or nothing
  * @returns {(palettes: Float32Array) => void}
  */
-export function drawer(canvas, object) {
-  const gl = canvas.getContext("webgl2", { antialias: false, depth: false, preserveDrawingBuffer: true });
+export function drawer(canvas, object, say) {
+  const gl = isSupported() && canvas.getContext("webgl2", { antialias: false, depth: false, preserveDrawingBuffer: true });
   if (!gl) return onCpu(canvas, object);
   let ready = prepared(gl, object);
   let last = object.palettes;
@@ -69,16 +69,28 @@ export function drawer(canvas, object) {
     gl.uniform1f(ready, size);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   };
-  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    say("The graphics driver took the picture away. If it does not come back, reload the page.");
+  });
   canvas.addEventListener("webglcontextrestored", () => {
+    say("");
     ready = prepared(gl, object);
     draw(last);
   });
   return draw;
 }
 
-/** Uploads the object, and gives the place of the canvas's size. */
-function prepared(/** @type {WebGL2RenderingContext} */ gl, /** @type {Packed} */ { width, height, texels, colors }) {
+/** Whether WebGL 2 links the program. A canvas whose context is of WebGL can have no other one. */
+function isSupported() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return false;
+  const isLinked = gl.getProgramParameter(linked(gl), gl.LINK_STATUS);
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return isLinked;
+}
+
+function linked(/** @type {WebGL2RenderingContext} */ gl) {
   const program = /** @type {WebGLProgram} */ (gl.createProgram());
   for (const [kind, text] of /** @type {[GLenum, string][]} */ ([[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]])) {
     const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
@@ -87,6 +99,12 @@ function prepared(/** @type {WebGL2RenderingContext} */ gl, /** @type {Packed} *
     gl.attachShader(program, shader);
   }
   gl.linkProgram(program);
+  return program;
+}
+
+/** Uploads the object, and gives the place of the canvas's size. */
+function prepared(/** @type {WebGL2RenderingContext} */ gl, /** @type {Packed} */ { width, height, texels, colors }) {
+  const program = linked(gl);
   gl.useProgram(program);
   const textures = /** @type {const} */ ([["object", gl.TEXTURE_2D, gl.NEAREST], ["colors", gl.TEXTURE_2D, gl.NEAREST], ["palettes", gl.TEXTURE_2D_ARRAY, gl.LINEAR]]);
   textures.forEach(([name, kind, filter], unit) => {
@@ -101,9 +119,6 @@ function prepared(/** @type {WebGL2RenderingContext} */ gl, /** @type {Packed} *
   return gl.getUniformLocation(program, "size");
 }
 
-const filmic = (/** @type {number} */ x) => Math.min(1, (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14));
-const srgb = (/** @type {number} */ x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
-
 /** As {@link drawer}, in the object's own pixels. */
 function onCpu(/** @type {HTMLCanvasElement} */ canvas, /** @type {Packed} */ object) {
   const { width, height, texels } = object;
@@ -117,7 +132,7 @@ function onCpu(/** @type {HTMLCanvasElement} */ canvas, /** @type {Packed} */ ob
       const coverage = texels[4 * k + 3] >> 2;
       if (!coverage) continue;
       lookUp(object, palettes, k, light);
-      for (let c = 0; c < 3; c++) picture.data[4 * k + c] = srgb(filmic(light[c]));
+      for (let c = 0; c < 3; c++) picture.data[4 * k + c] = encoded(light[c]);
       picture.data[4 * k + 3] = (255 * coverage) / 63;
     }
     context.putImageData(picture, (side - width) >> 1, (side - height) >> 1);

@@ -1,12 +1,14 @@
 // The page's object: for each pixel a normal, a base color, a region of one metallic and roughness, and
 // a coverage, as `eigenshade pack-object` packs it; and the irradiances of its first light.
 
+import { linear } from "./color.js";
+
 /** Nodes of a palette along each axis, every eighth code from -128 to 128, and in all. */
 export const SIDE = 33;
 export const NODES = SIDE * SIDE;
 
-/** Irradiances of the first light are at most this, in cube roots of 8 bits. */
-const MOST = 4;
+/** Exposed irradiances are at most this; those of the first light are cube roots of 8 bits. */
+export const MOST = 4;
 export const toByte = (/** @type {number} */ value) => Math.round(255 * Math.cbrt(Math.min(1, Math.max(0, value / MOST))));
 const fromByte = (/** @type {number} */ byte) => MOST * (byte / 255) ** 3;
 
@@ -21,7 +23,7 @@ const fromByte = (/** @type {number} */ byte) => MOST * (byte / 255) ** 3;
  * @property {any} about what else the file says
  */
 
-/** The file's first line is JSON. What follows is one byte a number, plane by plane. */
+/** The file's first line is JSON. The planes after it have one byte a number. */
 const LINE_FEED = 10;
 
 /**
@@ -59,8 +61,6 @@ export async function unpacked(stream) {
   });
   return { width, height, texels, colors, palettes, about };
 }
-
-const linear = (/** @type {number} */ code) => (code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4);
 
 /**
  * The exposed irradiance of a pixel, as a chip finds it from palettes: the black part, and what the base

@@ -2,6 +2,7 @@
 // then { light } or { fault }.
 
 import parseExr from "../vendor/parse-exr.js";
+import { linear } from "./color.js";
 import { project, resized } from "./project.js";
 import { FINE, pursue } from "./pursuit.js";
 import { parseHdr, primariesNote } from "./rgbe.js";
@@ -75,10 +76,7 @@ async function picture(/** @type {Blob} */ file) {
   if (!context) throw new Error("this browser decodes no pictures in workers");
   context.drawImage(bitmap, 0, 0);
   const bytes = context.getImageData(0, 0, width, height).data;
-  const table = Float32Array.from({ length: 256 }, (_, code) => {
-    const encoded = code / 255;
-    return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
-  });
+  const table = Float32Array.from({ length: 256 }, (_, code) => linear(code / 255));
   return { width, height, stride: 4, data: bytes, table, note: "" };
 }
 

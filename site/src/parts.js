@@ -1,12 +1,14 @@
-// What the page's object reflects: of each region a black and a white base color, between which all its
-// base colors are.
+// The reflection of the page's object: for each region a black and a white base color, between
+// which all its base colors are.
 
 import { Scene } from "../eigenshade/src/index.js";
-import { NODES, SIDE } from "./packed.js";
+import { MOST, NODES, SIDE } from "./packed.js";
 
 /** The light of the object, and how many of its small sources are drawn. */
 export const LIGHT = "apartment";
 export const SOURCES = 4;
+/** The mean direction of these sources, weighted by their luminance. */
+export const LAMP = [0.629, 0.212, -0.748];
 
 /** Normals of the nodes of a palette; beyond the rim those of the rim. */
 const AXES = normalsOf(
@@ -89,7 +91,7 @@ export class Parts {
     this.#scenes.forEach((scene, part) => {
       const { r, g, b } = scene.shade(AXES[0], AXES[1], AXES[2]);
       [r, g, b].forEach((values, c) =>
-        values.forEach((value, k) => (to[4 * (NODES * part + k) + c] = Math.min(16, Math.max(0, exposure * value)))),
+        values.forEach((value, k) => (to[4 * (NODES * part + k) + c] = Math.min(MOST, Math.max(0, exposure * value)))),
       );
     });
     return to;

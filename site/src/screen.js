@@ -2,7 +2,7 @@
 // and encoded in sRGB.
 
 import { differenceCiede2000, modeLab65, modeRgb, modeXyz65, useMode } from "../vendor/culori.js";
-import { encoded } from "./cpu.js";
+import { encoded } from "./color.js";
 import { counted } from "./plot.js";
 import { COMPONENTS } from "./state.js";
 

@@ -6,6 +6,9 @@ import { ShadowedObject } from "../eigenshade/src/shadowed.js";
 import { find } from "./controls.js";
 import { show } from "./cpu.js";
 
+/** The share of the automatic exposure, with which lit metal would be white beside its shadows. */
+const DARKER = 0.5;
+
 /** The material of the coin, a gray metal. */
 const MATERIAL = { baseColor: [0.9, 0.9, 0.9], metallic: 1, roughness: 0.5 };
 
@@ -108,7 +111,7 @@ class Coin {
       this.#scene.light({ r, g, b });
       [this.#light, this.#exposure] = [light, this.#object.exposure()];
     }
-    const look = { exposure: exposure * this.#exposure };
+    const look = { exposure: DARKER * exposure * this.#exposure };
     const { width, height } = this.#object;
     const picture = this.#object.turn(turn).pixels(look);
     if (!hasShadows) {

@@ -1,7 +1,9 @@
 // A download of the first sight: the egg's coefficients, shader and programs.
 
+import { CURVE, srgb } from "./color.js";
+import { GOLD } from "./gold.js";
 import { LIGHT, SOURCES } from "./parts.js";
-import { decimal, floats, glsl, numbers, python, upper } from "./take.js";
+import { LIBRARY, decimal, floats, glsl, numbers, part, python, upper } from "./take.js";
 
 /**
  * @typedef {object} Seen
@@ -11,10 +13,11 @@ import { decimal, floats, glsl, numbers, python, upper } from "./take.js";
  */
 
 const FILE = "node site/egg.js egg.glb, then eigenshade pack-object egg.glb --size 240 --out";
-const TITLE = `The egg under the light ${LIGHT}, without its small sources (docs/highlights.md).`;
+const TITLE = `The egg under the light ${LIGHT}; its lamps are blurred (docs/highlights.md).`;
 
 /** A module that draws on any target. */
 export const rust = (/** @type {Seen} */ { turn, exposure }) => `//! ${TITLE}
+//! With ${LIBRARY}.
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 //! The object: ${FILE} egg.rs
 
@@ -50,7 +53,7 @@ pub fn draw(
 
 /** A function that draws on any target. */
 export const c = (/** @type {Seen} */ { turn, exposure, regions }) => `/* ${TITLE}
- * With the headers and the library of crates/capi.
+ * With the headers and the library of crates/capi, from ${LIBRARY}.
  * The object: ${FILE} egg.h */
 #include "eigenshade_presets.h"
 #include "egg.h"
@@ -83,8 +86,10 @@ eigenshade_status draw(const eigenshade_target_t *target) {
 `;
 
 /** A script that draws a sphere of the egg's gold, because Python draws no textures. */
-export const pythonOf = (/** @type {Seen} */ { turn, exposure, regions }) =>
-  python({ light: LIGHT, material: { baseColor: "#ffdb95", metallic: 1, roughness: regions[0].roughness }, turn, exposure, sources: SOURCES });
+export const pythonOf = (/** @type {Seen} */ { turn, exposure }) => {
+  const baseColor = `#${GOLD.color.map((x) => Math.round(srgb(x)).toString(16).padStart(2, "0")).join("")}`;
+  return python({ light: LIGHT, material: { ...GOLD, baseColor }, turn, exposure, sources: SOURCES, window: "none" });
+};
 
 const NAMES = ["black", "white"];
 
@@ -92,14 +97,22 @@ const NAMES = ["black", "white"];
  * Functions of GLSL ES 3.00 of a black and a white base color of each region, and one for all.
  *
  * @param {import("./take.js").Scene[]} scenes two of each region
+ * @param {Seen} seen
  */
-export function shader(scenes) {
+export function shader(scenes, { exposure, regions }) {
   const prefix = (/** @type {number} */ k) => `${NAMES[k % 2]}${k >> 1}_`;
   const cases = scenes.filter((_, k) => k % 2).map((_, region) => {
     const [black, white] = [0, 1].map((base) => `${prefix(2 * region + base)}irradiance(normal)`);
     return `  ${region < scenes.length / 2 - 1 ? `if (region == ${region}) ` : ""}return mix(${black}, ${white}, base);`;
   });
-  return `${scenes.map((scene, k) => glsl(scene, prefix(k))).join("\n")}
+  const text = scenes.map((scene, k) => glsl(scene, prefix(k), `Region ${k >> 1}, ${NAMES[k % 2]}`));
+  const list = regions.map(({ metallic, roughness }, k) => `//   ${k}: metallic ${decimal(metallic)}, roughness ${decimal(roughness)}`);
+  return `// The egg under the light ${LIGHT}, with ${LIBRARY}.
+// Regions, in the order of the file of ${FILE} egg.bin:
+${list.join("\n")}
+// Color of a pixel: x = ${decimal(exposure)} * irradiance(region, base, normal), clipped below 0, then
+// ${CURVE}, clipped above 1, then sRGB.
+${text.join("\n")}
 // The irradiance of a unit normal, x to the right, y up, z toward the camera, of a linear base color.
 vec3 irradiance(int region, vec3 base, vec3 normal) {
 ${cases.join("\n")}
@@ -108,13 +121,13 @@ ${cases.join("\n")}
 }
 
 /**
- * The coefficients of the eigenimages of the table `color` of a black and a white base color of each region.
+ * The coefficients of the eigenimages of a black and a white base color of each region.
  *
  * @param {import("./take.js").Scene[]} scenes two of each region
  * @param {Seen} seen
  */
 export function json(scenes, { turn, exposure, regions }) {
-  const d = scenes.map((scene) => Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]])));
-  const parts = regions.map(({ metallic, roughness }, k) => ({ metallic, roughness, black: d[2 * k], white: d[2 * k + 1] }));
+  const [black, white] = [0, 1].map((base) => scenes.filter((_, k) => k % 2 === base).map(part));
+  const parts = regions.map(({ metallic, roughness }, k) => ({ metallic, roughness, black: black[k], white: white[k] }));
   return `${JSON.stringify({ light: LIGHT, turn, exposure, regions: parts }, null, 1)}\n`;
 }

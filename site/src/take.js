@@ -1,11 +1,12 @@
-// A download of what one sees: coefficients, shader, programs in Rust, C and Python, and the picture.
+// Downloads: coefficients, shader, programs in Rust, C and Python, and the picture.
 
+import { linear } from "./color.js";
 import { inverse, matrix } from "./turn.js";
 
 /** @typedef {import("../eigenshade/src/index.js").Scene} Scene */
 
 /**
- * What the texts describe.
+ * The sphere that the texts describe.
  *
  * @typedef {object} Seen
  * @property {string} light a shipped one
@@ -13,7 +14,11 @@ import { inverse, matrix } from "./turn.js";
  * @property {number[]} turn of the light
  * @property {number} exposure
  * @property {number} sources how many are drawn
+ * @property {number | "none"} window its width in degrees
  */
+
+/** The library, and the page that says how to get it. */
+export const LIBRARY = "eigenshade 0.1.0 (README.md of its repository)";
 
 /** A number as Rust has it. */
 export const decimal = (/** @type {number} */ value) => {
@@ -26,21 +31,24 @@ export const floats = (/** @type {number[]} */ list) => list.map((value) => `${d
 export const upper = (/** @type {string} */ name) => name.toUpperCase().replaceAll("-", "_");
 
 /** Linear red, green and blue of "#rrggbb". */
-const linear = (/** @type {string} */ color) =>
-  [1, 3, 5].map((at) => {
-    const code = parseInt(color.slice(at, at + 2), 16) / 255;
-    return code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
-  });
+const channels = (/** @type {string} */ color) => [1, 3, 5].map((at) => linear(parseInt(color.slice(at, at + 2), 16) / 255));
+
+/** The window of a scene, as {@link Scene} takes it. */
+export const windowOf = (/** @type {Scene} */ { windowWidth }) => (Number.isFinite(windowWidth) ? windowWidth : "none");
 
 const named = (/** @type {Seen["material"]} */ material) => (typeof material === "string" ? material : "a glTF material");
-const title = (/** @type {Seen} */ { light, material, sources }) =>
-  `A sphere of ${named(material)} under the light ${light}${sources ? ", without its small sources (docs/highlights.md)" : ""}.`;
+/** The sphere, and the differences of a program's picture from the page's. */
+const title = (/** @type {Seen} */ { light, material, sources, window }, marks = "") => {
+  const differences = [sources ? "its lamps are blurred (docs/highlights.md)" : "", window === "none" ? "" : "no window lessens its dark rings"];
+  return [`A sphere of ${named(material)} under the light ${light}`, ...differences.filter(Boolean)].join(`;\n${marks} `) + ".";
+};
 
 /** A module that draws on any target. */
 export function rust(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const isNamed = typeof material === "string";
-  return `//! ${title(seen)}
+  return `//! ${title(seen, "//!")}
+//! With ${LIBRARY}.
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 
 use eigenshade::object::Disc;
@@ -53,7 +61,7 @@ static DISPLAY: Display = Display::new(Tone::Filmic);
 pub fn draw(screen: &mut Target<'_>) -> Result<(), eigenshade::Error> {
     let rotation = Rotation::from_quaternion([${numbers(turn)}])?;
     let light = ${upper(light)}.turned::<100>(&rotation)?;
-${isNamed ? "" : `    let color = [${numbers(linear(material.baseColor))}]; // linear
+${isNamed ? "" : `    let color = [${numbers(channels(material.baseColor))}]; // linear
     let material = Material::metallic_roughness(color, ${decimal(material.metallic)}, ${decimal(material.roughness)})?;
 `}    let scene = sphere::color::scene(light.lights()?, ${isNamed ? upper(material) : "material.materials()?"})?;
     let exposure = Exposure::new(${decimal(exposure)})?;
@@ -70,8 +78,8 @@ export function c(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const lower = (/** @type {string} */ name) => name.replaceAll("-", "_");
   const isNamed = typeof material === "string";
-  return `/* ${title(seen)}
- * With the headers and the library of crates/capi. */
+  return `/* ${title(seen, " *")}
+ * With the headers and the library of crates/capi, from ${LIBRARY}. */
 #include "eigenshade_presets.h"
 
 eigenshade_status draw(const eigenshade_target_t *target) {
@@ -79,7 +87,7 @@ eigenshade_status draw(const eigenshade_target_t *target) {
   static eigenshade_light_buffer_f32_t turned;
   static eigenshade_picture_f32_t picture;
   eigenshade_color_light_f32_t light;
-${isNamed ? "" : `  static const float color[3] = {${floats(linear(material.baseColor))}}; /* linear */
+${isNamed ? "" : `  static const float color[3] = {${floats(channels(material.baseColor))}}; /* linear */
   static eigenshade_material_buffer_f32_t buffer;
   eigenshade_color_material_f32_t material;
 `}  eigenshade_status status =
@@ -94,19 +102,25 @@ ${isNamed ? "" : `  if (!status)
 `;
 }
 
-/** A script that makes a picture in linear light. */
+/** A script that writes a picture in sRGB, without the page's curve. */
 export function python(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure, sources } = seen;
   const { yaw, pitch, roll } = angles(turn);
   const made = typeof material === "string"
     ? `es.materials["${material}"]`
     : `es.Material.gltf("${material.baseColor}", metallic=${decimal(material.metallic)}, roughness=${decimal(material.roughness)})`;
-  return `# ${title({ ...seen, sources: 0 })}
+  return `# ${title({ ...seen, sources: 0 }, "#")}
+# With ${LIBRARY}.
 import eigenshade as es
+import numpy as np
 
 light = es.lights["${light}"].rotated(yaw=${decimal(yaw)}, pitch=${decimal(pitch)}, roll=${decimal(roll)})
 material = ${made}
-image = ${decimal(exposure)} * es.Table().render(light, material, size=240, sources=${sources})  # linear, 1 is white
+image = es.Table().render(light, material, size=240, sources=${sources})  # linear, and coverage
+color = np.clip(${decimal(exposure)} * image[..., :3], 0, 1)
+color = np.where(color <= 0.0031308, 12.92 * color, 1.055 * color ** (1 / 2.4) - 0.055)  # sRGB
+with open("sphere.ppm", "wb") as file:
+    file.write(b"P6 240 240 255\\n" + (255 * color * image[..., 3:] + 0.5).astype(np.uint8).tobytes())
 `;
 }
 
@@ -123,23 +137,34 @@ export function angles(/** @type {number[]} */ turn) {
 }
 
 /** A function of GLSL ES 3.00 with its numbers, whose names begin with a prefix. */
-export function glsl(/** @type {Scene} */ scene, prefix = "") {
+export function glsl(/** @type {Scene} */ scene, prefix = "", title = scene.label) {
   const array = scene.uniforms();
   const vectors = Array.from({ length: array.length / 4 }, (_, k) => `  vec4(${numbers([...array.subarray(4 * k, 4 * k + 4)])})`);
   const text = scene.glsl("uniforms", prefix ? { prefix } : {});
   const name = `vec4 ${prefix}eigenshade[${vectors.length}]`;
   const declared = `uniform ${name};`;
   if (!text.startsWith(declared)) throw new Error("the shader does not begin with its array");
-  return `// ${scene.label}: irradiance of a unit normal, x to the right, y up, z toward the camera.
+  return `// ${title}: irradiance of a unit normal, x to the right, y up, z toward the camera.
 const ${name} = vec4[](
 ${vectors.join(",\n")}
 );${text.slice(declared.length)}`;
 }
 
-/** The coefficients of the eigenimages of the table `color`, and what they are of. */
-export function json(/** @type {Scene} */ scene, /** @type {Seen} */ seen) {
+/** The coefficients of the eigenimages of the table `color`, for light without drawn sources. */
+export function part(/** @type {Scene} */ scene) {
+  const { sources, degree, order, terms } = scene;
   const d = Object.fromEntries(Object.entries(scene.coefficients()).map(([channel, of]) => [channel, [...of]]));
-  return `${JSON.stringify({ ...seen, degree: scene.degree, order: scene.order, terms: scene.terms, d }, null, 1)}\n`;
+  return { sources, window: windowOf(scene), degree, order, terms, d };
+}
+
+/** The same, with the scene. */
+export const json = (/** @type {Scene} */ scene, /** @type {Seen} */ seen) => `${JSON.stringify({ ...seen, ...part(scene) }, null, 1)}\n`;
+
+/** Saves a canvas's picture. */
+export async function savePicture(/** @type {string} */ name, /** @type {HTMLCanvasElement} */ canvas) {
+  const picture = await new Promise((/** @type {BlobCallback} */ done) => canvas.toBlob(done));
+  if (!picture) throw new Error("This browser makes no PNG of the picture.");
+  save(name, picture);
 }
 
 /** Saves a file. */
@@ -148,5 +173,6 @@ export function save(/** @type {string} */ name, /** @type {Blob | string} */ co
   link.href = URL.createObjectURL(typeof content === "string" ? new Blob([content]) : content);
   link.download = name;
   link.click();
+  /** @type {HTMLElement} */ (document.getElementById("take-note")).textContent = `Saved ${name}`;
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

@@ -24,6 +24,7 @@ import { colorsOf, screenError, verdict, wholeVerdict } from "../src/screen.js";
 import { AUTOMATIC, fromHash, initial, toHash } from "../src/state.js";
 import { dragged, multiply, rotate } from "../src/turn.js";
 import parseExr from "../vendor/parse-exr.js";
+import { quantized } from "../quantize.js";
 import { hdrFile } from "./files.js";
 import { ROOT, SITE } from "./support.js";
 
@@ -465,4 +466,11 @@ test("the page has the bytes that its table says", () => {
     const said = Number(new RegExp(`^\\| ${name} \\| ([\\d,]+) \\|`, "m").exec(readme)[1].replace(",", ""));
     assert.ok(Math.abs(bytes / 1e3 - said) <= tolerance, `${name}: ${bytes} bytes`);
   }
+});
+
+test("pixels of opacity 0 take no colors", () => {
+  const gray = (code, opacity) => [code, code, code, opacity];
+  const pixels = Uint8Array.from([gray(0, 0), gray(0, 0), gray(200, 9), gray(210, 255)].flat());
+  const { palette, index } = quantized(pixels);
+  assert.deepEqual([index.size, palette[0] + palette[3]], [2, 410]);
 });

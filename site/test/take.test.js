@@ -8,6 +8,7 @@ import { after, before, describe, test } from "node:test";
 import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
 import { FIRST, began } from "../src/begin.js";
 import { toward } from "../src/follow.js";
+import { GOLD } from "../src/gold.js";
 import { LIGHT } from "../src/parts.js";
 import * as egg from "../src/take-egg.js";
 import { c, python, rust } from "../src/take.js";
@@ -59,8 +60,8 @@ const irradianceOf = (page, glsl, expression) => page.evaluate(([glsl, expressio
 const text = (page, id) => page.locator(`#${id}`).textContent();
 
 describe("downloads", () => {
-  const seen = { light: "park", material: "gold-metallic-paint", turn: [0.1, 0.2, -0.3, Math.sqrt(0.86)], exposure: 1.25, sources: 0 };
-  const gltf = { ...seen, light: "lobby", material: { baseColor: "#b87333", metallic: 1, roughness: 0.4 }, sources: 2 };
+  const seen = { light: "park", material: "gold-metallic-paint", turn: [0.1, 0.2, -0.3, Math.sqrt(0.86)], exposure: 1.25, sources: 0, window: "none" };
+  const gltf = { ...seen, light: "lobby", material: { baseColor: "#b87333", metallic: 1, roughness: 0.4 }, sources: 2, window: 23 };
 
   const eggSeen = { turn: seen.turn, exposure: 0.5, regions: Array.from({ length: 4 }, () => ({ metallic: 1, roughness: 0.4 })) };
 
@@ -74,7 +75,9 @@ describe("downloads", () => {
     };
     assert.deepEqual([...(await file("png")).subarray(0, 8)], [137, 80, 78, 71, 13, 10, 26, 10]);
     const found = JSON.parse(await file("json"));
-    assert.deepEqual([found.light, found.material, found.degree, found.order, found.d.r.length, found.sources], ["park", "gold-metallic-paint", 9, 7, 160, 1]);
+    const { light, material, degree, order, d, sources, window } = found;
+    assert.deepEqual([light, material, degree, order, d.r.length, sources], ["park", "gold-metallic-paint", 9, 7, 160, 1]);
+    assert.ok(window === "none" || window > 0, window);
     const glsl = String(await file("glsl"));
     const drawn = await irradianceOf(page, glsl, "irradiance(vec3(0.36, 0.48, 0.8))");
     const expected = await page.evaluate(async () => {
@@ -107,15 +110,21 @@ describe("downloads", () => {
     await page.locator("#take summary").click();
     const file = async (kind) => {
       const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-take=${kind}]`).click()]);
-      assert.equal(download.suggestedFilename(), `egg.${kind}`);
+      assert.equal(download.suggestedFilename(), kind === "py" ? "gold-sphere.py" : `egg.${kind}`);
+      assert.equal(await text(page, "take-note"), `Saved ${download.suggestedFilename()}`);
       return readFileSync(await download.path());
     };
     assert.deepEqual([...(await file("png")).subarray(1, 4)], [...Buffer.from("PNG")]);
     const { light, turn, regions } = JSON.parse(await file("json"));
-    assert.deepEqual([light, regions.length, regions[0].white.r.length, regions[3].black.b.length], [LIGHT, 4, 160, 160]);
+    assert.deepEqual([light, regions.length, regions[0].white.d.r.length, regions[3].black.d.b.length], [LIGHT, 4, 160, 160]);
+    const { parts } = await began((await eggFile()).about.regions);
+    // The programs have no window, because the page needs none.
+    parts.scenes.forEach(({ sources, terms }, k) => {
+      const { d, ...found } = regions[k >> 1][["black", "white"][k % 2]];
+      assert.deepEqual(found, { sources, window: "none", degree: 9, order: 7, terms });
+    });
     turn.forEach((part, k) => assert.ok(Math.abs(part - toward(FIRST.place)[k]) < 1e-6));
     const found = await irradianceOf(page, String(await file("glsl")), "irradiance(1, vec3(0.25), vec3(0.36, 0.48, 0.8))");
-    const { parts } = await began((await eggFile()).about.regions);
     const [black, white] = parts.shade(1, [[0.36], [0.48], [0.8]].map((axis) => Float32Array.from(axis)));
     ["r", "g", "b"].forEach((channel, k) => {
       const expected = black[channel][0] + 0.25 * (white[channel][0] - black[channel][0]);
@@ -123,7 +132,11 @@ describe("downloads", () => {
     });
     assert.match(String(await file("rs")), /presets::light::APARTMENT;/);
     assert.match(String(await file("c")), /REGIONS = 4/);
-    assert.match(String(await file("py")), /es\.Material\.gltf\("#ffdb95", metallic=1\.0, roughness=0\.4/);
+    // The gold of the file that is packed: its code in sRGB, and its roughness.
+    const [, color, roughness] = /es\.Material\.gltf\("#(\w+)", metallic=1\.0, roughness=([\d.]+)\)/.exec(String(await file("py")));
+    const linear = (code) => (code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4);
+    GOLD.color.forEach((along, c) => assert.ok(Math.abs(linear(parseInt(color.slice(2 * c, 2 * c + 2), 16) / 255) - along) < 0.004, color));
+    assert.equal(Number(roughness), GOLD.roughness);
     assert.deepEqual(faults, []);
     await page.close();
   });
@@ -150,11 +163,21 @@ describe("downloads", () => {
   test("the program in Python is that of the package's page, with its turn", () => {
     const read = (path) => readFileSync(join(ROOT, path), "utf8");
     const [page, stubs] = [read("crates/python/README.md"), read("crates/python/python/eigenshade/__init__.pyi")];
+    const version = /^version = "(.*)"$/m.exec(read("Cargo.toml"))[1];
+    for (const write of [rust, c, python]) assert.ok(write(seen).includes(`eigenshade ${version} (README.md`));
     for (const one of [seen, gltf]) {
       const program = python(one);
       execFileSync("python3", ["-c", "import ast, sys; ast.parse(sys.stdin.read())"], { input: program });
+      assert.match(program, /\* image\[\.\.\., :3\].*\n.*\n.*open\("sphere.ppm", "wb"\).*\n.*b"P6 240 240 255\\n" \+/);
       for (const call of ["import eigenshade as es", "es.Table()", ".rotated(yaw="]) assert.ok(program.includes(call) && page.includes(call), call);
       for (const name of ["yaw", "pitch", "roll", "size", "sources"]) assert.ok(program.includes(`${name}=`) && stubs.includes(`${name}: `), name);
+    }
+    // Differences from the page's picture.
+    const [lamps, rings] = [/; *\n(\/\/!| \*|#) its lamps are blurred/, /;\n(\/\/!| \*|#) no window lessens its dark rings\.\n/];
+    for (const write of [rust, c, python]) {
+      assert.equal(lamps.test(write(gltf)), write !== python);
+      assert.match(write(gltf), rings);
+      assert.doesNotMatch(write(seen), /blurred|window/);
     }
     assert.match(python(gltf), /es\.Material\.gltf\("#b87333", metallic=1\.0, roughness=0\.4\)/);
     assert.match(page, /es\.Material\.gltf\("#b87333", metallic=1, roughness=0\.4\)/);
