@@ -8,7 +8,7 @@
  * color.
  */
 export const BOARDS = Object.freeze([
-  { name: "Cortex-M0", board: "microbit", format: "q15", base: 44.8, each: 5.3, within: 0.2, source: 306, frame: { turned: 6189040, still: 4258920, turn: 90568 } },
+  { name: "Cortex-M0", board: "microbit", format: "q15", base: 44.8, each: 5.3, within: 0.2, source: 306, frame: { turned: 6197480, still: 4258920, turn: 90571 } },
   { name: "Cortex-M4F", board: "mps2-an386", format: "f32", base: 12.4, each: 2.11, within: 0.09, source: 75, frame: { turned: 3759640, still: 2960720, turn: 35763 } },
 ]);
 

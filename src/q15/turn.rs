@@ -78,6 +78,7 @@ impl Rgb<Light<'_>> {
     ///
     /// As [`turned`](Self::turned), where `N` is the number of mantissas. These are then left
     /// unspecified.
+    #[inline]
     pub fn turn_into(
         &self,
         rotation: &Rotation,
