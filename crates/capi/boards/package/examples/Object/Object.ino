@@ -2,6 +2,7 @@
 #include <eigenshade_presets.h>
 #include "coin.h"
 #include "display.h"
+#include "sketch.h"
 
 const int SIZE = 120;
 const eigenshade_object_t &coin = object_coin;

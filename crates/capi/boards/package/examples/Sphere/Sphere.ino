@@ -1,6 +1,7 @@
 // A gold sphere in a lobby, whose light turns.
 #include <eigenshade_presets.h>
 #include "display.h"
+#include "sketch.h"
 
 const int SIZE = 120;  // 48 on a board with 32 KB of RAM
 

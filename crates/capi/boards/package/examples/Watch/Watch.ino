@@ -3,6 +3,7 @@
 #include "dial.h"
 #include "display.h"
 #include "relief.h"
+#include "sketch.h"
 
 const int SIZE = 128, CODES = 2048;
 const eigenshade_normal_map_t &dial = normal_map_dial;
