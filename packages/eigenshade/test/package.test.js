@@ -272,7 +272,7 @@ test("the declarations are those of a program without a page, and of one with JS
 /** Bytes of each module with gzip -9: its code, and all, with the tables. */
 const MODULES = {
   "eigenshade.relaxed.wasm": [19262, 72919],
-  "eigenshade.shadowed.wasm": [9881, 16967],
+  "eigenshade.shadowed.wasm": [9548, 16611],
   "eigenshade.simd.wasm": [19219, 72880],
   "eigenshade.sources.relaxed.wasm": [23624, 77655],
   "eigenshade.sources.simd.wasm": [23584, 77605],
