@@ -2,6 +2,7 @@
 
 import { Scene } from "../eigenshade/src/index.js";
 import { disc, image, show } from "./cpu.js";
+import { find } from "./dom.js";
 import { Drawing, KINDS, SHOWN } from "./draw.js";
 import { directional, disc as discLight, sum, ambient, windowed } from "./harmonics.js";
 import { errorOf, meanOf, peakOf, pictureOf } from "./measure.js";
@@ -161,30 +162,24 @@ export const CASES = {
   bytes: { title: "Normals of 8 bits", make: bytes },
 };
 
-/** The case that was asked for last. */
-let asked = 0;
+/** The case that was asked for last; drawn once. */
+let asked = "";
 
-/**
- * Draws a case.
- *
- * @param {string} key of {@link CASES}
- * @param {{ ours: HTMLCanvasElement, naive: HTMLCanvasElement, oursCaption: HTMLElement, naiveCaption: HTMLElement, text: HTMLElement }} to
- */
-export async function showCase(key, to) {
-  const turn = ++asked;
+/** Draws a case of {@link CASES} in its panel. */
+export async function showCase(/** @type {string} */ key) {
+  if (asked === key) return;
+  asked = key;
   const made = await CASES[key].make();
-  if (turn !== asked) return;
+  if (asked !== key) return;
   for (const name of /** @type {const} */ (["ours", "naive"])) {
-    const picture = made?.[name];
-    if (picture instanceof ImageData) show(to[name], picture);
+    const [picture, canvas, caption] = [made?.[name], find(`case-${name}`), find(`case-${name}-caption`)];
+    if (picture instanceof ImageData) show(canvas, picture);
     else {
-      to[name].width = to[name].height = 2 * SIDE;
-      if (picture) to[name].getContext("2d")?.drawImage(picture, 0, 0);
+      canvas.width = canvas.height = 2 * SIDE;
+      if (picture) canvas.getContext("2d")?.drawImage(picture, 0, 0);
     }
+    caption.textContent = made?.[`${name}Caption`] ?? "";
+    canvas.setAttribute("aria-label", caption.textContent || { ours: "Ours", naive: "Naive" }[name]);
   }
-  to.oursCaption.textContent = made?.oursCaption ?? "";
-  to.naiveCaption.textContent = made?.naiveCaption ?? "";
-  to.text.textContent = made?.text ?? "This case needs WebGL 2, which this browser does not have.";
-  to.ours.setAttribute("aria-label", to.oursCaption.textContent || "Ours");
-  to.naive.setAttribute("aria-label", to.naiveCaption.textContent || "Naive");
+  find("case-text").textContent = made?.text ?? "This case needs WebGL 2, which this browser does not have.";
 }

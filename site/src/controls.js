@@ -3,12 +3,12 @@
 import { EFFECTS } from "../eigenshade/src/index.js";
 import { BOARDS } from "./boards.js";
 import { CASES } from "./cases.js";
+import { find } from "./dom.js";
 import * as measure from "./measure.js";
 import { percent } from "./plot.js";
 import { COMPONENTS } from "./state.js";
 import { readable } from "./thumbnails.js";
 
-export const find = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
 export const wide = matchMedia("(min-width: 960px)");
 const coarse = matchMedia("(pointer: coarse)");
 

@@ -1,11 +1,10 @@
 // The first sight: the object under a light that follows the pointer. All else is loaded afterwards.
 
+import { busy, find } from "./dom.js";
 import { drawer } from "./object-picture.js";
 import { unpacked } from "./packed.js";
 
-const find = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
 const canvas = /** @type {HTMLCanvasElement} */ (find("object"));
-const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.busy = String(is));
 
 // ---- details ----
 

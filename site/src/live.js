@@ -1,15 +1,11 @@
 // The light that follows, the slider, and the numbers of the first sight.
 
 import { CHIPS, frameOf } from "./boards.js";
+import { busy, find } from "./dom.js";
 import { ALL_TERMS, toleranceOf } from "./measure.js";
 import { Parts, normalsOf } from "./parts.js";
 import { lookUp } from "./packed.js";
 import { colorsOf, screenError, seen } from "./screen.js";
-
-const find = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
-
-/** Whether the picture and its numbers are not yet those of the controls; tests wait for it. */
-const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.busy = String(is));
 
 /** The color difference is measured in every 23rd pixel. */
 const SPACING = 23;
@@ -65,8 +61,13 @@ export class Live {
     this.#turn = turn;
   }
 
+  /** The step of the slider. */
+  get #step() {
+    return Number(find("first-step").value);
+  }
+
   /** Turns the light, and takes the terms of a step, by default that of the slider. */
-  #set(step = Number(find("first-step").value)) {
+  #set(step = this.#step) {
     this.#parts.set(this.#turn, toleranceOf(step), this.#object.about.exposure);
   }
 
@@ -91,14 +92,12 @@ export class Live {
 
   /** Saves a file of this kind of the egg as it is shown. */
   async download(/** @type {string} */ kind) {
-    const [egg, { save, savePicture }] = await Promise.all([import("./take-egg.js"), import("./take.js")]);
+    const [{ texts }, { download }] = await Promise.all([import("./take-egg.js"), import("./download.js")]);
     this.#set();
-    const seen = { turn: this.#turn, ...this.#object.about };
+    const { exposure, regions } = this.#object.about;
+    const seen = { turn: this.#turn, exposure, regions, tolerance: toleranceOf(this.#step) ?? 0 };
     const name = kind === "py" ? "gold-sphere.py" : `egg.${kind}`;
-    if (kind === "png") return savePicture(name, find("object"));
-    if (kind === "json") return save(name, egg.json(this.#parts.scenes, seen));
-    if (kind === "glsl") return save(name, egg.shader(this.#parts.scenes, seen));
-    save(name, { rs: egg.rust, c: egg.c, py: egg.pythonOf }[kind](seen));
+    await download(kind, name, find("object"), texts(this.#parts.scenes, seen));
   }
 
   #showFrames() {

@@ -3,8 +3,8 @@
 
 import { Scene } from "../eigenshade/src/index.js";
 import { ShadowedObject } from "../eigenshade/src/shadowed.js";
-import { find } from "./controls.js";
 import { show } from "./cpu.js";
+import { find } from "./dom.js";
 
 /** The share of the automatic exposure, with which lit metal would be white beside its shadows. */
 const DARKER = 0.5;

@@ -1,7 +1,7 @@
 // What the page says of small sources.
 
 import { EFFECTS } from "../eigenshade/src/index.js";
-import { find } from "./controls.js";
+import { find } from "./dom.js";
 import { counted } from "./plot.js";
 import { screenText } from "./screen.js";
 

@@ -1,22 +1,28 @@
 // A download of the first sight: the egg's coefficients, shader and programs.
 
+import { EFFECTS } from "../eigenshade/src/index.js";
 import { CURVE, srgb } from "./color.js";
 import { GOLD } from "./gold.js";
 import { LIGHT, SOURCES } from "./parts.js";
-import { LIBRARY, decimal, floats, glsl, numbers, part, python, upper } from "./take.js";
+import { COMPONENTS } from "./state.js";
+import { LIBRARY, SHIPPED, decimal, floats, glsl, numbers, part, python, titled, upper } from "./take.js";
 
 /**
  * @typedef {object} Seen
  * @property {number[]} turn of the light
  * @property {number} exposure
  * @property {{ metallic: number, roughness: number }[]} regions
+ * @property {number} tolerance the share of white within which terms are left out, or 0
  */
 
 const FILE = "node site/egg.js egg.glb, then eigenshade pack-object egg.glb --size 240 --out";
-const TITLE = `The egg under the light ${LIGHT}; its lamps are blurred (docs/highlights.md).`;
+/** What the page shows whatever the slider says. */
+const SHOWN = { sources: SOURCES, window: /** @type {const} */ ("none"), effects: [...EFFECTS], components: COMPONENTS };
+const title = (/** @type {number} */ tolerance, /** @type {string} */ marks) =>
+  titled(`The egg under the light ${LIGHT}`, { ...SHOWN, tolerance }, marks, SHIPPED);
 
 /** A module that draws on any target. */
-export const rust = (/** @type {Seen} */ { turn, exposure }) => `//! ${TITLE}
+export const rust = (/** @type {Seen} */ { turn, exposure, tolerance }) => `//! ${title(tolerance, "//!")}
 //! With ${LIBRARY}.
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 //! The object: ${FILE} egg.rs
@@ -52,7 +58,7 @@ pub fn draw(
 `;
 
 /** A function that draws on any target. */
-export const c = (/** @type {Seen} */ { turn, exposure, regions }) => `/* ${TITLE}
+export const c = (/** @type {Seen} */ { turn, exposure, regions, tolerance }) => `/* ${title(tolerance, " *")}
  * With the headers and the library of crates/capi, from ${LIBRARY}.
  * The object: ${FILE} egg.h */
 #include "eigenshade_presets.h"
@@ -86,9 +92,9 @@ eigenshade_status draw(const eigenshade_target_t *target) {
 `;
 
 /** A script that draws a sphere of the egg's gold, because Python draws no textures. */
-export const pythonOf = (/** @type {Seen} */ { turn, exposure }) => {
+const pythonOf = (/** @type {Seen} */ { turn, exposure, tolerance }) => {
   const baseColor = `#${GOLD.color.map((x) => Math.round(srgb(x)).toString(16).padStart(2, "0")).join("")}`;
-  return python({ light: LIGHT, material: { ...GOLD, baseColor }, turn, exposure, sources: SOURCES, window: "none" });
+  return python({ ...SHOWN, light: LIGHT, material: { ...GOLD, baseColor }, turn, exposure, tolerance });
 };
 
 const NAMES = ["black", "white"];
@@ -99,7 +105,7 @@ const NAMES = ["black", "white"];
  * @param {import("./take.js").Scene[]} scenes two of each region
  * @param {Seen} seen
  */
-export function shader(scenes, { exposure, regions }) {
+function shader(scenes, { exposure, regions }) {
   const prefix = (/** @type {number} */ k) => `${NAMES[k % 2]}${k >> 1}_`;
   const cases = scenes.filter((_, k) => k % 2).map((_, region) => {
     const [black, white] = [0, 1].map((base) => `${prefix(2 * region + base)}irradiance(normal)`);
@@ -126,8 +132,18 @@ ${cases.join("\n")}
  * @param {import("./take.js").Scene[]} scenes two of each region
  * @param {Seen} seen
  */
-export function json(scenes, { turn, exposure, regions }) {
+function json(scenes, { turn, exposure, regions, tolerance }) {
   const [black, white] = [0, 1].map((base) => scenes.filter((_, k) => k % 2 === base).map(part));
   const parts = regions.map(({ metallic, roughness }, k) => ({ metallic, roughness, black: black[k], white: white[k] }));
-  return `${JSON.stringify({ light: LIGHT, turn, exposure, regions: parts }, null, 1)}\n`;
+  return `${JSON.stringify({ light: LIGHT, turn, exposure, tolerance, regions: parts }, null, 1)}\n`;
 }
+
+/**
+ * The text of each kind of file.
+ *
+ * @param {import("./take.js").Scene[]} scenes two of each region
+ * @param {Seen} seen
+ */
+export const texts = (scenes, seen) => ({
+  json: () => json(scenes, seen), glsl: () => shader(scenes, seen), rs: () => rust(seen), c: () => c(seen), py: () => pythonOf(seen),
+});

@@ -1,6 +1,10 @@
-// Downloads: coefficients, shader, programs in Rust, C and Python, and the picture.
+// Downloads of the details: coefficients, shader, and programs in Rust, C and Python.
 
+import { EFFECTS } from "../eigenshade/src/index.js";
 import { linear } from "./color.js";
+import { ANALYTIC } from "./harmonics.js";
+import { percent } from "./plot.js";
+import { COMPONENTS } from "./state.js";
 import { inverse, matrix } from "./turn.js";
 
 /** @typedef {import("../eigenshade/src/index.js").Scene} Scene */
@@ -15,10 +19,16 @@ import { inverse, matrix } from "./turn.js";
  * @property {number} exposure
  * @property {number} sources how many are drawn
  * @property {number | "none"} window its width in degrees
+ * @property {string[]} effects those that are kept
+ * @property {number} components how many eigenimages are kept
+ * @property {number} tolerance the share of white within which terms are left out, or 0
  */
 
 /** The library, and the page that says how to get it. */
 export const LIBRARY = "eigenshade 0.1.0 (README.md of its repository)";
+
+/** The eigenimages of its table in Rust and C; in Python it has the page's. */
+export const SHIPPED = 46;
 
 /** A number as Rust has it. */
 export const decimal = (/** @type {number} */ value) => {
@@ -37,17 +47,35 @@ const channels = (/** @type {string} */ color) => [1, 3, 5].map((at) => linear(p
 export const windowOf = (/** @type {Scene} */ { windowWidth }) => (Number.isFinite(windowWidth) ? windowWidth : "none");
 
 const named = (/** @type {Seen["material"]} */ material) => (typeof material === "string" ? material : "a glTF material");
-/** The sphere, and the differences of a program's picture from the page's. */
-const title = (/** @type {Seen} */ { light, material, sources, window }, marks = "") => {
-  const differences = [sources ? "its lamps are blurred (docs/highlights.md)" : "", window === "none" ? "" : "no window lessens its dark rings"];
-  return [`A sphere of ${named(material)} under the light ${light}`, ...differences.filter(Boolean)].join(`;\n${marks} `) + ".";
-};
+const title = (/** @type {Seen} */ seen, /** @type {string} */ marks, /** @type {number} */ images) =>
+  titled(`A sphere of ${named(seen.material)} under the light ${seen.light}`, seen, marks, images);
+
+/**
+ * The title of a program, with the differences of its picture from the page's: a comment whose lines
+ * begin with these marks.
+ *
+ * @param {string} text
+ * @param {Pick<Seen, "sources" | "window" | "effects" | "components" | "tolerance">} seen
+ * @param {string} marks
+ * @param {number} images how many eigenimages the program has
+ */
+export function titled(text, { sources, window, effects, components, tolerance }, marks, images) {
+  const without = EFFECTS.filter((effect) => !effects.includes(effect));
+  const differences = [
+    sources ? "its lamps are blurred (docs/highlights.md)" : "",
+    window === "none" ? "" : "no window lessens its dark rings",
+    without.length ? `it has ${without.join(", ")}, which the page left out` : "",
+    Math.min(images, components) < COMPONENTS ? `it has ${images} eigenimages, the page's picture ${components} of ${COMPONENTS}` : "",
+    tolerance ? `it has all terms; the page left some out, within ${percent(tolerance)} of white` : "",
+  ];
+  return [text, ...differences.filter(Boolean)].join(`;\n${marks} `) + ".";
+}
 
 /** A module that draws on any target. */
 export function rust(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const isNamed = typeof material === "string";
-  return `//! ${title(seen, "//!")}
+  return `//! ${title(seen, "//!", SHIPPED)}
 //! With ${LIBRARY}.
 //! Cargo.toml: eigenshade = { path = "../eigenshade", features = ["presets"] }
 
@@ -78,7 +106,7 @@ export function c(/** @type {Seen} */ seen) {
   const { light, material, turn, exposure } = seen;
   const lower = (/** @type {string} */ name) => name.replaceAll("-", "_");
   const isNamed = typeof material === "string";
-  return `/* ${title(seen, " *")}
+  return `/* ${title(seen, " *", SHIPPED)}
  * With the headers and the library of crates/capi, from ${LIBRARY}. */
 #include "eigenshade_presets.h"
 
@@ -109,7 +137,7 @@ export function python(/** @type {Seen} */ seen) {
   const made = typeof material === "string"
     ? `es.materials["${material}"]`
     : `es.Material.gltf("${material.baseColor}", metallic=${decimal(material.metallic)}, roughness=${decimal(material.roughness)})`;
-  return `# ${title({ ...seen, sources: 0 }, "#")}
+  return `# ${title({ ...seen, sources: 0 }, "#", COMPONENTS)}
 # With ${LIBRARY}.
 import eigenshade as es
 import numpy as np
@@ -158,21 +186,13 @@ export function part(/** @type {Scene} */ scene) {
 }
 
 /** The same, with the scene. */
-export const json = (/** @type {Scene} */ scene, /** @type {Seen} */ seen) => `${JSON.stringify({ ...seen, ...part(scene) }, null, 1)}\n`;
+const json = (/** @type {Scene} */ scene, /** @type {Seen} */ seen) => `${JSON.stringify({ ...seen, ...part(scene) }, null, 1)}\n`;
 
-/** Saves a canvas's picture. */
-export async function savePicture(/** @type {string} */ name, /** @type {HTMLCanvasElement} */ canvas) {
-  const picture = await new Promise((/** @type {BlobCallback} */ done) => canvas.toBlob(done));
-  if (!picture) throw new Error("This browser makes no PNG of the picture.");
-  save(name, picture);
-}
-
-/** Saves a file. */
-export function save(/** @type {string} */ name, /** @type {Blob | string} */ content) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(typeof content === "string" ? new Blob([content]) : content);
-  link.download = name;
-  link.click();
-  /** @type {HTMLElement} */ (document.getElementById("take-note")).textContent = `Saved ${name}`;
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-}
+/** The text of each kind of file. */
+export const texts = (/** @type {Scene} */ scene, /** @type {Seen} */ seen) => {
+  const program = (/** @type {(seen: Seen) => string} */ write) => () => {
+    if (seen.light === "own" || Object.hasOwn(ANALYTIC, seen.light)) throw new Error("Programs are of captured lights; take the coefficients.");
+    return write(seen);
+  };
+  return { json: () => json(scene, seen), glsl: () => glsl(scene), rs: program(rust), c: program(c), py: program(python) };
+};

@@ -1,4 +1,4 @@
-// Files that tests drop.
+// Files that tests drop, and the drop.
 
 /** A Radiance file: new run lengths, each as literals, and mantissas that are cut off. */
 export function hdrFile(width, height, data) {
@@ -22,3 +22,24 @@ export function hdrFile(width, height, data) {
   }
   return Buffer.from(bytes);
 }
+
+/** Where the places of an .exr's blocks start, and the first block, which `more` bytes moved. */
+export function offsets(bytes, more) {
+  let at = 8;
+  while (bytes[at] !== 0) {
+    for (let part = 0; part < 2; part++) at = bytes.indexOf(0, at) + 1;
+    at += 4 + bytes.readUInt32LE(at);
+  }
+  return [at + 1, Number(bytes.readBigUInt64LE(at + 1)) + more];
+}
+
+/** Drops a file on the page. */
+export const drop = (page, name, bytes) =>
+  page.evaluate(async ([name, base64]) => {
+    const transfer = new DataTransfer();
+    const data = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    transfer.items.add(new File([data], name));
+    for (const type of ["dragenter", "dragover", "drop"]) {
+      document.getElementById("frame").dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    }
+  }, [name, Buffer.from(bytes).toString("base64")]);

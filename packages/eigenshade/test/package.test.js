@@ -37,7 +37,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
   const listed = execFileSync("tar", ["tzf", join(folder, "eigenshade-0.1.0.tgz")], { encoding: "utf8" });
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
-    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
+    "LICENSE-APACHE", "LICENSE-MIT", "LICENSES-OF-LIBRARIES.txt", "DATA.md", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
     "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "three.d.ts", "types/index.d.ts", "types/three.d.ts",
     "dist/three.js", "dist/react.js", "dist/shadowed.js", "shadowed.d.ts", "types/shadowed.d.ts", "wasm/eigenshade.shadowed.wasm",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
@@ -47,6 +47,9 @@ test("nothing is missing from the archive, nothing is too much", () => {
     assert.ok(names.includes(name), name);
   }
   assert.ok(!names.some((name) => /test|node_modules|\.mjs$|^build/.test(name)), listed);
+  const read = (name) => readFileSync(join(folder, "node_modules/eigenshade", name), "utf8");
+  for (const crate of ["heapless", "libm", "zerocopy"]) assert.match(read("LICENSES-OF-LIBRARIES.txt"), new RegExp(`^${crate} [\\d.]+: `, "m"));
+  assert.match(read("DATA.md"), /Terms: CC0 1\.0/);
   assert.deepEqual(JSON.parse(readFileSync(join(folder, "node_modules/eigenshade/package.json"))).dependencies, undefined);
 });
 
@@ -269,7 +272,7 @@ test("the declarations are those of a program without a page, and of one with JS
 /** Bytes of each module with gzip -9: its code, and all, with the tables. */
 const MODULES = {
   "eigenshade.relaxed.wasm": [19262, 72919],
-  "eigenshade.shadowed.wasm": [9881, 16967],
+  "eigenshade.shadowed.wasm": [9548, 16611],
   "eigenshade.simd.wasm": [19219, 72880],
   "eigenshade.sources.relaxed.wasm": [23624, 77655],
   "eigenshade.sources.simd.wasm": [23584, 77605],
