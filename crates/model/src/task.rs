@@ -51,9 +51,11 @@ impl Task {
 /// Unwinds if the work that runs here is stopped. For work of more than a few milliseconds that is
 /// not in steps.
 pub fn checkpoint() {
-    if let Some(current) = current() {
-        current.task.check();
-    }
+    CURRENT.with_borrow(|current| {
+        if let Some(current) = current {
+            current.task.check();
+        }
+    });
 }
 
 /// The task that a thread runs.

@@ -45,27 +45,26 @@ pub fn of_sphere(
         }
         None => None,
     };
-    let SphereView { pixels, normals, .. } = SphereView::new(size);
-    let batches: Vec<_> = normals.chunks(BATCH).collect();
-    let colors = parallel::map(batches.len(), &(), |k| {
-        let normals = OwnedNormals::new(batches[k]);
+    let rows = (BATCH / size).max(1);
+    let parts = parallel::map(size.div_ceil(rows), &(), |k| {
+        let (first, next) = (k * rows, size.min((k + 1) * rows));
+        let (pixels, normals): (Vec<_>, Vec<_>) = SphereView::rows(size, first..next).unzip();
+        let normals = OwnedNormals::new(&normals);
         let [r, g, b] = shader.clone().color(&rest, &material, &normals)?;
         let mut colors: Vec<Rgb<f32>> =
             r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b)).collect();
         if let Some(highlights) = &highlights {
             highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
         }
-        Ok(colors)
-    });
-    let colors = colors.into_iter().collect::<Result<Vec<_>>>()?;
-    let mut picture = Array3::zeros((size, size, 4));
-    for (pixel, color) in pixels.into_iter().zip(colors.into_iter().flatten()) {
-        let numbers = [color.r, color.g, color.b, pixel.coverage as f32];
-        for (channel, number) in numbers.into_iter().enumerate() {
-            picture[(pixel.row, pixel.column, channel)] = number;
+        let mut part = vec![[0.0; 4]; (next - first) * size];
+        for (pixel, Rgb { r, g, b }) in pixels.into_iter().zip(colors) {
+            let place = (pixel.row - first) * size + pixel.column;
+            part[place] = [r, g, b, pixel.coverage as f32];
         }
-    }
-    Ok(picture)
+        Ok(part)
+    });
+    let numbers = parts.into_iter().collect::<Result<Vec<_>>>()?.concat().into_flattened();
+    Ok(Array3::from_shape_vec((size, size, 4), numbers).expect("the numbers of all rows"))
 }
 
 /// A light and a material in the degree, the order and the colors of a table.

@@ -35,13 +35,17 @@ def shade(_):
     es.Table().shade(LIGHT, MATERIAL, np.tile([0.6, 0.0, 0.8], (2_000_000, 1)))
 
 
+def render(_):
+    es.Table("pbr").render(LIGHT, MATERIAL, size=8192)
+
+
 def read(_):
     normals = np.random.default_rng(2).normal(size=(1_000_000, 3))
     normals[:, 2] = np.abs(normals[:, 2])
     es.Table().read(normals[:, 2], normals)
 
 
-@pytest.mark.parametrize("work", [make, find_sources, shade, read])
+@pytest.mark.parametrize("work", [make, find_sources, shade, render, read])
 def test_ctrl_c_ends_work(work, tmp_path):
     # A process in the background begins with the signal ignored.
     signal.signal(signal.SIGINT, signal.default_int_handler)
