@@ -51,11 +51,11 @@ impl Light {
     /// Reads an environment map (.exr, .hdr, .pfm, .png, .jpg), or a light CSV of the program.
     ///
     /// A map is projected to harmonics up to ``degree``, by default 9, the degree of the shipped
-    /// table. ``sources`` is the largest number of small bright sources to find in it for
-    /// highlights, which takes half a minute.
+    /// table. Up to ``sources`` small bright sources are found in it for highlights, which takes
+    /// half a minute.
     ///
-    /// A CSV may have several lights: ``name`` selects one. ``degree`` is at most that of the file,
-    /// and ``sources`` are the first ones of the file of sources beside it.
+    /// A CSV may have several lights: ``name`` selects one. ``degree`` is at most that of the file.
+    /// Up to ``sources`` sources are read from the file beside it.
     #[staticmethod]
     #[pyo3(signature = (path, *, degree = None, sources = 0, name = None))]
     fn load(
