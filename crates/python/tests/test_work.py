@@ -82,7 +82,8 @@ def test_a_terminal_shows_a_bar():
     terminal, end = pty.openpty()
     fcntl.ioctl(end, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
     code = f"import eigenshade; eigenshade.Table.make({str(TABLES / 'pbr.toml')!r})"
-    process = subprocess.Popen([sys.executable, "-c", code], stderr=end, env={**os.environ, "TERM": "xterm"})
+    terminal_type = {**os.environ, "TERM": "xterm"}
+    process = subprocess.Popen([sys.executable, "-c", code], stderr=end, env=terminal_type)
     os.close(end)
     shown = b""
     try:
