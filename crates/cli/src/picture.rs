@@ -2,6 +2,7 @@
 
 use eigenshade_shading::picture::Pixel;
 use noto_sans_mono_bitmap::{FontWeight, get_raster, get_raster_width};
+use std::ops::Range;
 
 /// Pixels from one line of text to the next.
 pub use noto_sans_mono_bitmap::RasterHeight as TextHeight;
@@ -28,9 +29,14 @@ impl SphereView {
 
     /// The pixels of this picture with their normals, in the same order.
     pub fn pixels(size: usize) -> impl Iterator<Item = (Pixel, [f64; 3])> {
+        Self::rows(size, 0..size)
+    }
+
+    /// The pixels of some rows of this picture with their normals.
+    pub fn rows(size: usize, rows: Range<usize>) -> impl Iterator<Item = (Pixel, [f64; 3])> {
         let radius = 0.5 * size as f64 - 0.5;
         let offset = move |k: usize| k as f64 + 0.5 - 0.5 * size as f64;
-        let places = (0..size).flat_map(move |row| (0..size).map(move |column| (row, column)));
+        let places = rows.flat_map(move |row| (0..size).map(move |column| (row, column)));
         places.filter_map(move |(row, column)| {
             let (x, y) = (offset(column), -offset(row));
             let distance = x.hypot(y);

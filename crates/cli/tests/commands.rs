@@ -46,7 +46,7 @@ fn light_projects_pictures() {
     let folder = Folder::new();
     folder.write("white.png", gray_png(8, 4, &[255; 32]));
     let (text, report) = folder.both("light white.png --degree 1");
-    assert!(report.contains("warning: white.png is a PNG"), "{report}");
+    assert!(report.contains("warning: white.png: light is clipped at white"), "{report}");
     assert_mean(&text, 1.0);
     folder.write("dim.png", gray_png(8, 4, &[254; 32]));
     assert!(!folder.messages("light dim.png --degree 1").contains("warning"));

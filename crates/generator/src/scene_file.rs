@@ -4,16 +4,16 @@ use crate::basis;
 use crate::basis::choice::Choice;
 use crate::highlights::{HighlightFiles, Highlights};
 use crate::material::analytic;
-use crate::material::brdf::{Measure, Surface};
+use crate::material::brdf::Measure;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::parallel;
 use eigenshade_table::effect::Effects;
 use eigenshade_table::highlights::MAX_SOURCES;
 use eigenshade_table::scene::{self, is_share};
 use eigenshade_table::{Scene, Table};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
@@ -128,8 +128,8 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
 /// The formulas of a file, projected to this order.
 fn projected(path: &Path, order: usize) -> Result<Materials> {
     let surfaces = analytic::read(path)?;
-    let project = |surface: &Surface| surface.project(order, Measure::default()).material;
-    Ok(Materials { order, entries: surfaces.par_iter().map(project).collect() })
+    let project = |k: usize| surfaces[k].project(order, Measure::default()).material;
+    Ok(Materials { order, entries: parallel::map(surfaces.len(), &(), project) })
 }
 
 /// The files from which the table of a scene file is made, starting with the scene file itself,

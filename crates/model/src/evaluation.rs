@@ -17,6 +17,7 @@
 
 use crate::error::{Error, Result};
 use crate::orthogonal_series::OrthogonalSeries;
+use crate::task::checkpoint;
 use eigenshade_table::effect::{Effect, Effects};
 use eigenshade_table::reduce::fingerprint;
 use eigenshade_table::{Component, MeanImage, Profile, Table, light, material, mode};
@@ -182,6 +183,7 @@ impl<T: Borrow<Table>> Evaluator<T> {
             components: self.components,
         };
         for &normal in normals {
+            checkpoint();
             images.values.extend(self.values(normal));
             images.mean.push(self.mean().map_or(0.0, |mean| mean.value(normal[2])));
         }

@@ -45,6 +45,8 @@ pub mod selection;
 
 pub mod reference;
 
+pub mod task;
+
 pub mod parallel;
 
 pub mod reference_image;

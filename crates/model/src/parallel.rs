@@ -1,5 +1,6 @@
 //! Independent work distributed over all cores.
 
+use crate::task::Steps;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Counts finished steps.
@@ -22,17 +23,29 @@ impl Progress for indicatif::ProgressBar {
 
 /// Computes f(k) for k = 0..count, in order, and advances `progress` after each. The results do not
 /// depend on the number of threads, which `RAYON_NUM_THREADS` sets.
+///
+/// # Panics
+///
+/// If f does. In a [`Task`](crate::task::Task) that is stopped it unwinds before the next f(k).
 pub fn map<T: Send>(
     count: usize,
     progress: &impl Progress,
     f: impl Fn(usize) -> T + Sync,
 ) -> Vec<T> {
+    let steps = Steps::new(count);
     let one = |k| {
         let value = f(k);
         progress.advance();
         value
     };
-    (0..count).into_par_iter().map(one).collect()
+    let in_thread = |_: &mut _, k| steps.take(|| one(k));
+    (0..count).into_par_iter().map_init(|| steps.enter(), in_thread).collect()
+}
+
+/// The number of threads that [`map`] uses here.
+#[must_use]
+pub fn threads() -> usize {
+    rayon::current_num_threads()
 }
 
 #[cfg(test)]

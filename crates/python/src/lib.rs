@@ -27,7 +27,7 @@ mod _eigenshade {
     #[pymodule_export]
     use crate::reading::Reading;
     #[pymodule_export]
-    use crate::shipped::{lights, materials};
+    use crate::shipped::{lights, materials, missing};
     #[pymodule_export]
     use crate::table::Table;
 }

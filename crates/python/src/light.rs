@@ -4,7 +4,6 @@ use crate::arrays::{Numbers, channels, of_channels, of_rows, refused};
 use crate::work::{done, input_file};
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::Map;
-use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::coefficients;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -51,11 +50,12 @@ impl Light {
 
     /// Reads an environment map (.exr, .hdr, .pfm, .png, .jpg), or a light CSV of the program.
     ///
-    /// Of a map, ``degree`` is that of the harmonics, 9 by default as of the shipped table, and
-    /// ``sources`` the number of small bright sources that are found in it for highlights, which
-    /// takes half a minute. Of a CSV, ``name``
-    /// is one of its lights, ``degree`` at most that of the file, and the sources are those beside
-    /// it.
+    /// A map is projected to harmonics up to ``degree``, by default 9, the degree of the shipped
+    /// table. Up to ``sources`` small bright sources are found in it for highlights, which takes
+    /// half a minute.
+    ///
+    /// A CSV may have several lights: ``name`` selects one. ``degree`` is at most that of the file.
+    /// Up to ``sources`` sources are read from the file beside it.
     #[staticmethod]
     #[pyo3(signature = (path, *, degree = None, sources = 0, name = None))]
     fn load(
@@ -178,9 +178,7 @@ fn of_map(path: &Path, degree: usize, most: usize) -> Result<Light> {
     }
     let file = input_file(path);
     let map = Map::read(file.clone(), None)?;
-    if is_picture(path) && map.reaches_white() {
-        file.warn("light is clipped at white: lamps and the sun are too dark");
-    }
+    map.warn(&file);
     let frame = Frame::Eigenshade;
     let rgb = coefficients(&map, frame, degree).map_err(|error| error.in_file(path))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

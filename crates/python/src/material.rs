@@ -1,6 +1,7 @@
 //! A material.
 
 use crate::arrays::{Numbers, channels, of_channels, refused, triples};
+use crate::shipped;
 use crate::work::{done, input_file};
 use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Surface};
@@ -13,9 +14,9 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::source::Gloss;
 use eigenshade_shading::presets;
 use eigenshade_shading::sources::gloss::{Fitter, of_measured};
-use eigenshade_table::highlights::DIELECTRIC;
 use eigenshade_table::material;
 use numpy::{PyArray2, ToPyArray as _};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::f64::consts::FRAC_PI_2;
@@ -70,14 +71,7 @@ impl Material {
         if !(0.0..=1.0).contains(&metallic) {
             return Err(refused(format!("metallic is {metallic}"), "give 0 to 1"));
         }
-        let analytic = Analytic {
-            name: name.to_owned(),
-            model: Model::Ggx,
-            albedo: Some(base.map(|color| color * (1.0 - metallic))),
-            sigma: None,
-            roughness: Some(roughness),
-            f0: Some(base.map(|color| DIELECTRIC + (color - DIELECTRIC) * metallic)),
-        };
+        let analytic = Analytic::gltf(name, base, metallic, roughness);
         done(py, "material", move || of_surface(&analytic.surface()?, order))
     }
 
@@ -100,12 +94,11 @@ impl Material {
     #[staticmethod]
     #[pyo3(signature = (name, *, order = 7))]
     fn shipped(name: &str, order: usize) -> PyResult<Self> {
-        let found =
-            crate::shipped::materials(order)?.into_iter().find(|one| one.entry.name == name);
-        found.ok_or_else(|| {
-            let what = format!("no shipped material `{name}`");
-            refused(what, "iterate over `materials` for their names")
-        })
+        let mut all = shipped::materials(order)?;
+        let place = all.iter().position(|one| one.entry.name == name);
+        let names = || all.iter().map(|one| one.entry.name.clone()).collect();
+        let missing = || PyValueError::new_err(shipped::missing("material", name, names()));
+        Ok(all.swap_remove(place.ok_or_else(missing)?))
     }
 
     /// Reads a material CSV of the program, measurements (a CSV, a CUReT folder), a MERL

@@ -7,6 +7,7 @@ use eigenshade_cli::picture::SphereView;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::highlights::take_out;
+use eigenshade_model::parallel;
 use eigenshade_model::source::{Gloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -14,6 +15,9 @@ use eigenshade_shading::shader::{self, OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 use eigenshade_table::highlights::MAX_SOURCES;
 use numpy::ndarray::Array3;
+
+/// The number of pixels that one step draws.
+const BATCH: usize = 1 << 14;
 
 /// Linear red, green, blue and the covered share of each pixel of a sphere, with at most this many
 /// sources as highlights.
@@ -32,26 +36,35 @@ pub fn of_sphere(
     let (rest, material) = fitted(table, &rest, material);
     let basis = OwnedBasis::new(table)?;
     let basis_view = basis.basis().map_err(fault)?;
-    let mut shader = Shader::new(basis_view, table.count()).with_transfers(basis.transfers());
-    let SphereView { pixels, normals, .. } = SphereView::new(size);
-    let normals = OwnedNormals::new(&normals);
-    let [r, g, b] = shader.color(&rest, &material, &normals)?;
-    let mut colors: Vec<Rgb<f32>> =
-        r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b)).collect();
-    if let Some((gloss, sources)) = &sources {
-        let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-        let gloss = highlights::gloss(gloss)?;
-        let highlights = Highlights::<MAX_SOURCES>::new(&gloss, &sources).map_err(fault)?;
-        highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
-    }
-    let mut picture = Array3::zeros((size, size, 4));
-    for (pixel, color) in pixels.into_iter().zip(colors) {
-        let numbers = [color.r, color.g, color.b, pixel.coverage as f32];
-        for (channel, number) in numbers.into_iter().enumerate() {
-            picture[(pixel.row, pixel.column, channel)] = number;
+    let shader = Shader::new(basis_view, table.count()).with_transfers(basis.transfers());
+    let highlights = match &sources {
+        Some((gloss, sources)) => {
+            let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
+            let gloss = highlights::gloss(gloss)?;
+            Some(Highlights::<MAX_SOURCES>::new(&gloss, &sources).map_err(fault)?)
         }
-    }
-    Ok(picture)
+        None => None,
+    };
+    let rows = (BATCH / size).max(1);
+    let parts = parallel::map(size.div_ceil(rows), &(), |k| {
+        let (first, next) = (k * rows, size.min((k + 1) * rows));
+        let (pixels, normals): (Vec<_>, Vec<_>) = SphereView::rows(size, first..next).unzip();
+        let normals = OwnedNormals::new(&normals);
+        let [r, g, b] = shader.clone().color(&rest, &material, &normals)?;
+        let mut colors: Vec<Rgb<f32>> =
+            r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b)).collect();
+        if let Some(highlights) = &highlights {
+            highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
+        }
+        let mut part = vec![[0.0; 4]; (next - first) * size];
+        for (pixel, Rgb { r, g, b }) in pixels.into_iter().zip(colors) {
+            let place = (pixel.row - first) * size + pixel.column;
+            part[place] = [r, g, b, pixel.coverage as f32];
+        }
+        Ok(part)
+    });
+    let numbers = parts.into_iter().collect::<Result<Vec<_>>>()?.concat().into_flattened();
+    Ok(Array3::from_shape_vec((size, size, 4), numbers).expect("the numbers of all rows"))
 }
 
 /// A light and a material in the degree, the order and the colors of a table.

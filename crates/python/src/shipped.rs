@@ -1,9 +1,10 @@
 //! The lights and materials that come with the package.
 
-use crate::arrays::raised;
+use crate::arrays::{raised, refused};
 use crate::light::Light;
 use crate::material::Material;
-use eigenshade_model::database::Materials;
+use eigenshade_model::database::{Materials, name_remedy};
+use eigenshade_model::error::Error;
 use eigenshade_model::shipped;
 use pyo3::prelude::*;
 
@@ -20,14 +21,26 @@ pub fn lights() -> PyResult<Vec<Light>> {
     Ok(lights.entries.iter().cloned().map(light).collect())
 }
 
-/// The shipped materials, projected to order 7 or, from 12 on, to 12.
+/// The shipped materials, projected to order 7 or 12.
 #[pyfunction]
 pub fn materials(order: usize) -> PyResult<Vec<Material>> {
-    let Materials { order, entries } = shipped::named_materials(order).map_err(raised)?;
+    let Materials { order: found, entries } = shipped::named_materials(order).map_err(raised)?;
+    if found != order {
+        let what = format!("the shipped materials do not have order {order}");
+        return Err(refused(what, "ask for 7, or for 12, which `Table(\"pbr\")` has"));
+    }
     let glosses = shipped::glosses().map_err(raised)?;
     let material = |entry: eigenshade_model::database::Named| {
         let gloss = glosses.iter().find(|one| one.name == entry.name).map(|one| one.gloss);
         Material { entry, order, gloss }
     };
     Ok(entries.into_iter().map(material).collect())
+}
+
+/// The message that no shipped light or material has a name.
+#[pyfunction]
+pub fn missing(kind: &str, name: &str, names: Vec<String>) -> String {
+    let otherwise = format!("a name of `{kind}s.keys()`");
+    let remedy = name_remedy(name, names.iter().map(String::as_str), &otherwise);
+    Error::new(format!("no shipped {kind} `{name}`"), remedy).to_string()
 }

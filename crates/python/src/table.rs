@@ -15,6 +15,7 @@ use eigenshade_generator::scene_file;
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::overflow;
+use eigenshade_model::parallel;
 use eigenshade_table::light as positions;
 use eigenshade_table::material::count;
 use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, ToPyArray as _};
@@ -22,6 +23,9 @@ use pyo3::basic::CompareOp;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// The number of normals that one step shades.
+const BATCH: usize = 1024;
 
 /// A table of eigenimages: U, M and what projects a light on a material, d = UᵀMc.
 ///
@@ -166,8 +170,13 @@ impl Table {
         let d = self.projected(light, material).map_err(raised)?;
         let evaluator = Arc::clone(&self.evaluator);
         let rgb = done(py, "irradiance", move || {
-            let images = evaluator.eigenimages(&normals);
-            Ok(d.each_ref().map(|d| images.reconstruct(d)))
+            let batches: Vec<_> = normals.chunks(BATCH).collect();
+            let found = parallel::map(batches.len(), &(), |k| {
+                let images = evaluator.eigenimages(batches[k]);
+                d.each_ref().map(|d| images.reconstruct(d))
+            });
+            Ok([0, 1, 2]
+                .map(|c| found.iter().flat_map(|rgb: &[Vec<f64>; 3]| rgb[c].clone()).collect()))
         })?;
         placed(&of_channels(py, &rgb).getattr("T")?, places, Some(3))
     }

@@ -1,48 +1,60 @@
-//! Work that takes long, and what it says.
+//! Work that takes long, on threads that all calls share.
 
 use crate::arrays::raised;
-use eigenshade_cli::messages::spinner;
+use eigenshade_cli::messages::{progress_bar, spinner};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::task::Task;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning};
 use pyo3::prelude::*;
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::CString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::thread;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// Time between two looks for signals.
+/// Time between two looks for signals; shorter work shows no progress.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The result of work without the lock of the interpreter; a terminal shows `what` is done. Ctrl-C
-/// raises `KeyboardInterrupt` at once: the work ends by itself, and its result is dropped.
+/// The result of work without the lock of the interpreter; a terminal shows the progress of `what`.
+/// Ctrl-C raises `KeyboardInterrupt` at once, and the work ends at its next step.
 pub fn done<T: Send + 'static>(
     py: Python<'_>,
     what: &'static str,
     work: impl FnOnce() -> Result<T> + Send + 'static,
 ) -> PyResult<T> {
+    let pool = pool().map_err(raised)?;
+    let task = Arc::new(Task::default());
     let (sender, receiver) = channel();
-    thread::spawn(move || {
-        // A pool for each call: after Ctrl-C the abandoned work must not block the next call.
-        let pool = ThreadPoolBuilder::new().build();
-        let result = pool.map_or_else(
-            |_| Err(Error::new("no threads can be had", "end other programs")),
-            |pool| pool.install(work),
-        );
-        // Nobody listens after Ctrl-C.
-        let _ = sender.send(result);
+    let of_work = Arc::clone(&task);
+    pool.spawn(move || {
+        // Without a result the sender is dropped.
+        if let Ok(result) = catch_unwind(AssertUnwindSafe(|| of_work.run(work))) {
+            // Nobody listens after Ctrl-C.
+            let _ = sender.send(result);
+        }
     });
     let receiver = Mutex::new(receiver);
-    let progress = spinner(what);
+    let mut shown = None;
     let result = loop {
         let next = py.detach(|| receiver.lock().expect("one reader").recv_timeout(PAUSE));
         match next {
             Ok(result) => break result.map_err(raised),
             Err(RecvTimeoutError::Timeout) => {
+                let (finished, count) = task.steps();
+                let bar = match shown.take() {
+                    Some((of, bar)) if count == 0 || of == count => (of, bar),
+                    _ if count == 0 => (count, spinner(what)),
+                    _ => (count, progress_bar(what, count)),
+                };
+                bar.1.set_position(finished as u64);
+                shown = Some(bar);
                 if let Err(interrupted) = py.check_signals() {
+                    task.stop();
+                    // The next call must not wait for the last steps of this one.
+                    *POOL.lock().expect("no panic") = None;
                     break Err(interrupted);
                 }
             }
@@ -52,9 +64,29 @@ pub fn done<T: Send + 'static>(
             }
         }
     };
-    progress.finish_and_clear();
+    drop(shown);
     warn(py)?;
     result
+}
+
+/// The threads, and the process that started them.
+static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
+fn pool() -> Result<Arc<ThreadPool>> {
+    let mut shared = POOL.lock().expect("no panic");
+    let process = std::process::id();
+    // The child of a fork has a copy without threads, which would wait for them when dropped.
+    if let Some((_, copy)) = shared.take_if(|(of, _)| *of != process) {
+        std::mem::forget(copy);
+    }
+    if let Some((_, pool)) = &*shared {
+        return Ok(Arc::clone(pool));
+    }
+    let pool = ThreadPoolBuilder::new().build();
+    let pool = pool.map_err(|_| Error::new("no threads can be had", "end other programs"))?;
+    let pool = Arc::new(pool);
+    *shared = Some((process, Arc::clone(&pool)));
+    Ok(pool)
 }
 
 /// Warnings of files that were read. Files do not know who reads them: with several threads, one

@@ -177,7 +177,8 @@ def test_a_table_of_higher_order_takes_materials_of_its_order():
         (lambda: es.Table().read(np.ones(4), np.ones((4, 3)), [1, 1, 1, -1]), "a weight of -1"),
         (lambda: es.Table().read(np.ones(4), np.ones((4, 3)), noise=0), "a noise of 0"),
         (lambda: es.Table().read(np.zeros(4), np.ones((4, 3))), "all pixels that count are black"),
-        (lambda: es.Material.shipped("moon"), "no shipped material `moon`"),
+        (lambda: es.Material.shipped("moon"), "no shipped material `moon`; use `maroon-plastic`, or a name"),
+        (lambda: es.Material.shipped("chrome", order=9), "do not have order 9; ask for 7, or for 12"),
         (lambda: es.Light.load("no.exr"), "no.exr"),
         (lambda: es.lights.lobby.rotated(yaw=np.inf), "an angle is not finite"),
     ],
@@ -197,5 +198,5 @@ def test_names_are_attributes_and_keys():
     assert copy.copy(es.lights)["lobby"].name == "lobby"
     with pytest.raises(AttributeError, match="no shipped light `moon`"):
         es.lights.moon
-    with pytest.raises(KeyError, match="no shipped material"):
-        es.materials["moon"]
+    with pytest.raises(KeyError, match="no shipped material `chrom`; use `chrome`, `chrome-steel`, or a name"):
+        es.materials["chrom"]

@@ -9,7 +9,6 @@ use eigenshade_cli::output;
 use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
-use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
 use eigenshade_model::database::{Lights, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
@@ -289,24 +288,7 @@ impl Light {
             ),
         };
         print_message(format_args!("{name}: {shape}, {negative}"));
-        let has_pictures =
-            pictures(path).is_ok_and(|files| files.iter().any(|file| is_picture(file)));
-        let kind =
-            if path.is_dir() { "has PNG or JPEG pictures" } else { "is a PNG or JPEG picture" };
-        let path = path.display();
-        if let Map::Equirectangular(map) = map
-            && !map.is_twice_as_wide_as_high()
-        {
-            print_message(format_args!(
-                "warning: {path} is not twice as wide as high; it is read as equirectangular"
-            ));
-        }
-        if has_pictures && map.reaches_white() {
-            print_message(format_args!(
-                "warning: {path} {kind}, where light is clipped at white: lamps and the sun are \
-                 too dark; use an .hdr or .exr map if there is one"
-            ));
-        }
+        map.warn(&input_file(path));
     }
 }
 

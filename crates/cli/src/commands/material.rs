@@ -19,7 +19,6 @@ use eigenshade_model::source::NamedGloss;
 use eigenshade_model::window::Window;
 use eigenshade_shading::presets::{self, GLOSS};
 use eigenshade_shading::sources::gloss::{Fitter, of_measured};
-use eigenshade_table::highlights::DIELECTRIC;
 use eigenshade_table::material::count as count_of_orders;
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -317,12 +316,6 @@ impl Formula {
             roughness: None,
             f0: None,
         };
-        let ggx = |name, roughness, f0, albedo| Analytic {
-            roughness: Some(roughness),
-            f0: Some(f0),
-            albedo: Some(albedo),
-            ..of(Model::Ggx, name)
-        };
         let (analytic, options) = match self {
             Self::Lambertian { albedo, options } => {
                 let base = of(Model::Lambertian, "lambertian");
@@ -333,12 +326,11 @@ impl Formula {
                 (Analytic { albedo: Some(albedo), sigma: Some(sigma), ..base }, options)
             }
             Self::Gltf { base_color, metallic, roughness, options } => {
-                let f0 = base_color.map(|base| DIELECTRIC + (base - DIELECTRIC) * metallic);
-                let albedo = base_color.map(|base| base * (1.0 - metallic));
-                (ggx("gltf", roughness, f0, albedo), options)
+                (Analytic::gltf("gltf", base_color, metallic, roughness), options)
             }
             Self::Ggx { roughness, f0, albedo, options } => {
-                (ggx("ggx", roughness, f0, albedo), options)
+                let (roughness, f0, albedo) = (Some(roughness), Some(f0), Some(albedo));
+                (Analytic { roughness, f0, albedo, ..of(Model::Ggx, "ggx") }, options)
             }
         };
         let name = options.name.unwrap_or_else(|| analytic.name.clone());

@@ -12,11 +12,11 @@ use crate::basis::pca::{Block, principal};
 use crate::basis::profile;
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::selection::{self, Kept};
 use eigenshade_table::scene::{self, Criterion, Store};
 use eigenshade_table::{Component, GramFactor, MeanImage, Profile, Scene, Summary, Table};
 use faer::Mat;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// Singular values below this fraction of the root of the database's energy, constant included, are
 /// rounding: that of sums over forty columns.
@@ -52,10 +52,9 @@ impl Analysis {
         let of_materials = MaterialMoments::weighted(materials, weights);
         let gram = gram::of_sphere(scene.degree(), scene.order());
         let kept = Kept { selection: selection::highest(&gram, scene.basis.modes) };
-        let azimuths: Vec<Result<Azimuth>> = (0..=gram.degree)
-            .into_par_iter()
-            .map(|azimuth| analyze(&gram, &kept, (&light, &of_materials), &scene.basis, azimuth))
-            .collect();
+        let azimuths = parallel::map(gram.degree + 1, &(), |azimuth| {
+            analyze(&gram, &kept, (&light, &of_materials), &scene.basis, azimuth)
+        });
         // Report the first fault by azimuth, regardless of which thread found one first.
         let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
         let whole = moments::deviations(&light, &of_materials, Criterion::ImageCentered, 0);

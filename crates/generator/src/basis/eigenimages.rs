@@ -6,9 +6,9 @@ use crate::basis::canonical::Ranked;
 use crate::basis::pca::{Block, Principal};
 use crate::basis::profile;
 use crate::basis::profile::ProfileSpace;
+use eigenshade_model::parallel;
 use eigenshade_table::{Component, GramFactor, Profile, Table, pair};
 use faer::Mat;
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// Number of components whose orthonormality is reported.
 pub(crate) const REPORTED: usize = 100;
@@ -71,15 +71,12 @@ impl Selected {
         tolerance: f64,
     ) {
         table.components = self.components;
-        table.profiles = self
-            .profiles
-            .par_iter()
-            .map(|ranked| {
-                let azimuth = &azimuths[ranked.azimuth];
-                let coordinates = coordinates(&table.gram, azimuth, ranked);
-                profile(&table.gram, &azimuth.block, &coordinates, tolerance, threshold)
-            })
-            .collect();
+        table.profiles = parallel::map(self.profiles.len(), &(), |k| {
+            let ranked = &self.profiles[k];
+            let azimuth = &azimuths[ranked.azimuth];
+            let coordinates = coordinates(&table.gram, azimuth, ranked);
+            profile(&table.gram, &azimuth.block, &coordinates, tolerance, threshold)
+        });
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::basis::profile::terms;
 use crate::scene_file::Loaded;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::parallel;
 use eigenshade_table::scene::Store;
 use eigenshade_table::{layout, light, material, mode, pair};
 use std::time::Duration;
@@ -54,7 +55,7 @@ impl Estimate {
         let materials = count(loaded.materials.entries.len());
         let blocks = Blocks::new(degree, order, materials);
         let nodes = nodes(degree, order);
-        let cores = count(rayon::current_num_threads());
+        let cores = count(parallel::threads());
 
         let pairs = pair::count(order) * (degree + 1 + nodes);
         let rotations = (degree + 1) * (degree + 2) / 2 * (order.min(degree) + 1) * nodes;

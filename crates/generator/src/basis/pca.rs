@@ -7,6 +7,7 @@
 use crate::basis::moments::Deviation;
 use crate::basis::profile::ProfileSpace;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::task::checkpoint;
 use eigenshade_table::{GramFactor, material, mode};
 use faer::{Mat, MatRef};
 
@@ -70,6 +71,7 @@ impl Block {
         // the factors of some modes at a time, under that of those before.
         let mut triangle = Mat::zeros(0, factor.nrows());
         for first in (0..factor.ncols()).step_by(CHUNK) {
+            checkpoint();
             let part = factor.get(.., first..(first + CHUNK).min(factor.ncols())).transpose();
             let rows = concat(triangle.as_ref(), part);
             triangle = rows.qr().thin_R().to_owned();
@@ -104,6 +106,7 @@ impl Block {
         let mut images = Mat::zeros(self.space.dimension(), deviations.len());
         let modes: Vec<_> = mode::indices(gram.degree, gram.order, self.azimuth).collect();
         for l in self.azimuth..=gram.degree {
+            checkpoint();
             let Some(first) = modes.iter().position(|mode| mode.0 == l) else { continue };
             let count = modes.iter().filter(|mode| mode.0 == l).count();
             let of_degree: Vec<usize> =
@@ -131,6 +134,7 @@ pub(crate) fn factor(
     let modes: Vec<_> = mode::indices(gram.degree, gram.order, azimuth).collect();
     let mut factor = Mat::zeros(space.dimension(), modes.len());
     for (chunk, modes) in modes.chunks(CHUNK).enumerate() {
+        checkpoint();
         let mut nodes = Mat::zeros(gram.nodes.len(), modes.len());
         for (s, &(l, o, p, q)) in modes.iter().enumerate() {
             if keeps(l, o, p, q) {

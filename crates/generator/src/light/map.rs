@@ -1,8 +1,8 @@
 //! A map of either layout, and how it is recognized.
 
-use crate::light::cube::{CubeMap, FACES};
+use crate::light::cube::{CubeMap, FACES, face_files};
 use crate::light::environment::{EnvironmentMap, Integrals};
-use crate::light::map_file;
+use crate::light::map_file::{self, is_picture};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use exr::meta::attribute::EnvironmentMap as Stated;
@@ -86,9 +86,30 @@ impl Map {
         }
     }
 
+    /// Warns if the map of this file is equirectangular and not twice as wide as high, or is of
+    /// pictures, which clip light at white, and reaches it.
+    pub fn warn(&self, file: &InputFile) {
+        if let Self::Equirectangular(map) = self
+            && !map.is_twice_as_wide_as_high()
+        {
+            file.warn("it is not twice as wide as high; it is read as equirectangular");
+        }
+        let of_picture = match file.path() {
+            folder if folder.is_dir() => {
+                face_files(folder).is_ok_and(|files| files.iter().any(|file| is_picture(file)))
+            }
+            path => is_picture(path),
+        };
+        if of_picture && self.reaches_white() {
+            file.warn(
+                "light is clipped at white, as in every PNG or JPEG picture: lamps and the sun are \
+                 too dark; use an .hdr or .exr map if there is one",
+            );
+        }
+    }
+
     /// Whether some texel is white in a channel, as a picture shows it: a radiance of 1 or more.
-    #[must_use]
-    pub fn reaches_white(&self) -> bool {
+    fn reaches_white(&self) -> bool {
         let is_white = |texel: [f32; 3]| texel.into_iter().any(|channel| channel > 0.9999);
         match self {
             Self::Equirectangular(map) => map.texels.iter().copied().any(is_white),

@@ -16,10 +16,11 @@ use crate::light::frame::Frame;
 use crate::light::map::Map;
 use crate::light::map_file::maps_in;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::spherical_harmonic::{self, legendre};
+use eigenshade_model::task::checkpoint;
 use eigenshade_table::light;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fs;
@@ -37,15 +38,19 @@ const TO_GLOBAL: Rotation = Rotation { alpha: FRAC_PI_2, beta: FRAC_PI_2, gamma:
 pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
     let mut local = [0, 1, 2].map(|_| vec![0.0; light::count(degree)]);
     let waves = Waves::new(map, degree);
-    for (row, texels) in map.texels.chunks_exact(map.width).enumerate() {
-        let sums = waves.sums(texels);
+    let row_sums = parallel::map(map.height, &(), |row| {
+        waves.sums(&map.texels[row * map.width..(row + 1) * map.width])
+    });
+    // Rows are added in their order, whatever the number of threads.
+    for (row, sums) in row_sums.iter().enumerate() {
+        checkpoint();
         let (sine, cosine) = map.polar_angle(row).sin_cos();
         let solid_angle = map.solid_angle(row);
         for m in 0..=degree {
             let column = legendre(degree, m, cosine, sine);
             // N_l^-m P_l^-m = (-1)^m N_l^m P_l^m.
             let reflected = if m % 2 == 0 { solid_angle } else { -solid_angle };
-            for (local, (even, odd)) in local.iter_mut().zip(&sums) {
+            for (local, (even, odd)) in local.iter_mut().zip(sums) {
                 for (l, value) in (m..).zip(&column) {
                     let order = m.cast_signed();
                     local[light::position(l, order)] += solid_angle * value * even[m];
@@ -66,19 +71,17 @@ pub fn project(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
 pub fn project_cube(cube: &CubeMap, degree: usize) -> [Vec<f64>; 3] {
     let zero = || [0, 1, 2].map(|_| vec![0.0; light::count(degree)]);
     // Faces are added in their order, whatever the number of threads.
-    let faces: Vec<_> = (0..FACES.len())
-        .into_par_iter()
-        .map(|face| {
-            let mut sums = zero();
-            for (direction, solid_angle, texel) in cube.texels(face) {
-                let harmonics = spherical_harmonic::all(degree, direction);
-                for (sums, value) in sums.iter_mut().zip(texel) {
-                    accumulate(sums, solid_angle * f64::from(value), &harmonics);
-                }
+    let faces = parallel::map(FACES.len(), &(), |face| {
+        let mut sums = zero();
+        for (direction, solid_angle, texel) in cube.texels(face) {
+            checkpoint();
+            let harmonics = spherical_harmonic::all(degree, direction);
+            for (sums, value) in sums.iter_mut().zip(texel) {
+                accumulate(sums, solid_angle * f64::from(value), &harmonics);
             }
-            sums
-        })
-        .collect();
+        }
+        sums
+    });
     faces.iter().flatten().enumerate().fold(zero(), |mut rgb, (k, sums)| {
         accumulate(&mut rgb[k % 3], 1.0, sums);
         rgb

@@ -15,6 +15,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::source::Gloss;
 use eigenshade_model::srgb::from_hex;
+use eigenshade_table::highlights::DIELECTRIC;
 use serde::Deserialize;
 use std::collections::HashSet;
 use std::str::FromStr;
@@ -131,6 +132,20 @@ impl Shares {
 }
 
 impl Analytic {
+    /// A glTF metallic-roughness material: a GGX lobe over a matte base. `metallic`, from 0 to 1,
+    /// mixes a dielectric with a metal of the base color.
+    #[must_use]
+    pub fn gltf(name: impl Into<String>, base: Shares, metallic: f64, roughness: f64) -> Self {
+        Self {
+            name: name.into(),
+            model: Model::Ggx,
+            albedo: Some(base.map(|base| base * (1.0 - metallic))),
+            sigma: None,
+            roughness: Some(roughness),
+            f0: Some(base.map(|base| DIELECTRIC + (base - DIELECTRIC) * metallic)),
+        }
+    }
+
     /// The BRDF functions of the material.
     ///
     /// # Errors

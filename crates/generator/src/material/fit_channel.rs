@@ -9,6 +9,7 @@ use clarabel::solver::{
 };
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::scattering;
+use eigenshade_model::task::checkpoint;
 use eigenshade_table::material;
 use faer::{Col, Mat};
 
@@ -126,6 +127,7 @@ impl Design {
         let mut program = Program::new(self.curvature());
         let slack = 0.5 * INSET;
         for _ in 0..ROUNDS {
+            checkpoint();
             let points = grid.excesses(&coefficients, LOWEST + slack, HIGHEST - slack);
             if points.is_empty() {
                 return Ok(coefficients);

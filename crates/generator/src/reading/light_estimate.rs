@@ -16,6 +16,7 @@ use super::posterior::Prior;
 use super::transfer::Transfers;
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
+use eigenshade_model::task::checkpoint;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 
@@ -201,6 +202,7 @@ pub fn rank(
 ) -> Result<Vec<Candidate>> {
     let mut candidates = Vec::new();
     for (index, material) in materials.entries.iter().enumerate() {
+        checkpoint();
         let estimate = |coefficients: &[f64]| {
             LightEstimate::new(observation, prior, &transfers.of(coefficients))
         };

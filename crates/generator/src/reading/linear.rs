@@ -1,6 +1,7 @@
 //! Linear algebra that the estimates share: a few rows in place of many, and singular values.
 
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::task::checkpoint;
 use faer::linalg::solvers::Svd;
 use faer::{Col, Mat};
 
@@ -47,6 +48,7 @@ impl Reduction {
     }
 
     fn reduce(&mut self) {
+        checkpoint();
         let triangle = self.rows.get(..self.filled, ..).qr().thin_R().to_owned();
         for column in 0..triangle.ncols() {
             for row in 0..triangle.nrows() {

@@ -10,8 +10,6 @@
 Irradiance", ICCV 2003.
 """
 
-from difflib import get_close_matches
-
 from . import _eigenshade
 from ._eigenshade import Light, Material, Reading, Table, __version__
 
@@ -46,9 +44,7 @@ class Named:
         raise AttributeError(self._missing(name.replace("_", "-")))
 
     def _missing(self, name):
-        near = get_close_matches(str(name), self._entries)
-        near = f"; near it: {', '.join(near)}" if near else ""
-        return f"no shipped {self._kind} `{name}`; keys() are their names{near}"
+        return _eigenshade.missing(self._kind, str(name), list(self._entries))
 
     def __dir__(self):
         return sorted(name for name in map(_attribute, self._entries) if name.isidentifier())

@@ -16,11 +16,11 @@ use crate::sources::sample::Sample;
 use crate::sources::view::View;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
+use eigenshade_model::task::Steps;
 use eigenshade_model::vector::{cross, plus, times, unit};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use rayon::slice::ParallelSlice;
 use std::f64::consts::{PI, TAU};
 
 /// The degrees and orders at which sources are fitted.
@@ -83,18 +83,21 @@ type Lack = [Vec<f32>; 3];
 ///
 /// As [`View::new`] and [`Glossy::new`].
 pub fn find(map: &EnvironmentMap, materials: &[Glossy], most: usize) -> Result<Vec<Source>> {
+    // Steps of about a second: pictures, the grid, and each source.
+    let steps = Steps::new(ROTATIONS.len() * materials.len() + 1 + (1 + ROUNDS) * most);
+    let _within = steps.enter();
     let degree = SIZES.iter().map(|size| size.0).max().unwrap_or(0);
     let rotation = |[beta, alpha, gamma]: [f64; 3]| Rotation { alpha, beta, gamma };
     let view = |k: usize| View::new(map, (k > 0).then(|| rotation(ROTATIONS[k])), degree);
     let mut views = (0..ROTATIONS.len()).map(view).collect::<Result<Vec<_>>>()?;
     let other = views.split_off(ROTATIONS.len() - 1);
-    let sample = Sample::new(&views, materials, SPACING);
-    let mut chosen = pursue(&sample, most)?;
+    let sample = Sample::new(&views, materials, SPACING, &steps);
+    let mut chosen = pursue(&sample, most, &steps)?;
     for _ in 0..ROUNDS {
-        move_again(&sample, &mut chosen)?;
+        move_again(&sample, &mut chosen, &steps)?;
     }
     let mut sources: Vec<Source> = chosen.iter().map(|trial| trial.source).collect();
-    let held_out = Sample::new(&other, materials, OTHER_SPACING);
+    let held_out = Sample::new(&other, materials, OTHER_SPACING, &steps);
     let left = lacks(&held_out, &trials(&held_out, &sources, None)?);
     let left: Vec<f64> = left.iter().map(|lack| squares(&held_out, lack)).collect();
     let least = left.iter().copied().fold(f64::INFINITY, f64::min);
@@ -114,18 +117,17 @@ pub fn metals(roughness: &[f64]) -> Result<Vec<Glossy>> {
 }
 
 /// Takes one source after the other, up to a number.
-fn pursue(sample: &Sample<'_>, most: usize) -> Result<Vec<Trial>> {
+fn pursue(sample: &Sample<'_>, most: usize, steps: &Steps) -> Result<Vec<Trial>> {
     let (mut chosen, mut lack) = (Vec::new(), sample.lack.clone());
     if lack.iter().flatten().all(|&lack| lack == 0.0) {
         return Ok(chosen);
     }
-    let grid = grid(sample)?;
+    let grid = steps.take(|| grid(sample))?;
     while chosen.len() < most {
-        let scores = grid.par_iter().map(|trial| score(sample, &trial.addition, &lack));
-        let scores: Vec<f64> = scores.collect();
+        let scores = parallel::map(grid.len(), &(), |k| score(sample, &grid[k].addition, &lack));
         let best = (0..grid.len()).max_by(|&a, &b| scores[a].total_cmp(&scores[b]));
         let Some(best) = best.filter(|&best| scores[best] > 0.0) else { break };
-        let trial = tuned(sample, &grid[best].source, &lack, 1.0)?;
+        let trial = steps.take(|| tuned(sample, &grid[best].source, &lack, 1.0))?;
         subtract(&mut lack, &trial.addition, trial.source.energy);
         chosen.push(trial);
     }
@@ -134,7 +136,7 @@ fn pursue(sample: &Sample<'_>, most: usize) -> Result<Vec<Trial>> {
 
 /// Moves each source to fit the lists that contain it at once. A list of n counts by 1 / n of the
 /// inverse of its remaining squares.
-fn move_again(sample: &Sample<'_>, chosen: &mut [Trial]) -> Result<()> {
+fn move_again(sample: &Sample<'_>, chosen: &mut [Trial], steps: &Steps) -> Result<()> {
     for k in 0..chosen.len() {
         let mut mean: Lack = [0, 1, 2].map(|_| vec![0.0; sample.weights.len()]);
         let mut total = 0.0;
@@ -147,7 +149,7 @@ fn move_again(sample: &Sample<'_>, chosen: &mut [Trial]) -> Result<()> {
         mean.iter_mut().flatten().for_each(|mean| *mean *= inverse);
         // As if the source were not there.
         subtract(&mut mean, &chosen[k].addition, chosen[k].source.energy.map(|energy| -energy));
-        chosen[k] = tuned(sample, &chosen[k].source, &mean, AGAIN)?;
+        chosen[k] = steps.take(|| tuned(sample, &chosen[k].source, &mean, AGAIN))?;
     }
     Ok(())
 }
@@ -215,8 +217,7 @@ fn grid(sample: &Sample<'_>) -> Result<Vec<Trial>> {
         WIDTHS.map(|spread| Source { direction, energy: [1.0; 3], spread })
     });
     let sources: Vec<Source> = sources.collect();
-    let trials = sources.par_chunks(BATCH).map(|batch| trials(sample, batch, Some(&sample.lack)));
-    let mut trials = trials.collect::<Result<Vec<_>>>()?.concat();
+    let mut trials = in_batches(sample, &sources, BATCH, &sample.lack)?;
     trials.sort_by(|a, b| b.score.total_cmp(&a.score));
     trials.truncate(KEPT);
     Ok(trials)
@@ -232,14 +233,24 @@ fn trials(sample: &Sample<'_>, sources: &[Source], lack: Option<&Lack>) -> Resul
     Ok(sources.iter().zip(sample.additions(sources)?).map(trial).collect())
 }
 
+/// What these sources add, with the energies that fit a lack best; some of them at once.
+fn in_batches(
+    sample: &Sample<'_>,
+    sources: &[Source],
+    size: usize,
+    lack: &Lack,
+) -> Result<Vec<Trial>> {
+    let batches: Vec<&[Source]> = sources.chunks(size).collect();
+    let found = parallel::map(batches.len(), &(), |k| trials(sample, batches[k], Some(lack)));
+    Ok(found.into_iter().collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
+}
+
 /// The source after all moves that raise its score.
 fn tuned(sample: &Sample<'_>, source: &Source, lack: &Lack, mut step: f64) -> Result<Trial> {
     let mut best = trials(sample, &[*source], Some(lack))?.remove(0);
     while step > LAST {
         let moved = moved(&best.source, step);
-        let tried = moved.par_chunks(moved.len() / 2);
-        let tried = tried.map(|moved| trials(sample, moved, Some(lack)));
-        let tried = tried.collect::<Result<Vec<_>>>()?.into_iter().flatten();
+        let tried = in_batches(sample, &moved, moved.len() / 2, lack)?.into_iter();
         let top = tried.max_by(|a, b| a.score.total_cmp(&b.score));
         match top.filter(|top| top.score > best.score * (1.0 + GAIN)) {
             Some(top) => best = top,

@@ -7,7 +7,6 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_model::source::Gloss;
 use eigenshade_model::special::spherical_harmonic::azimuth;
 use eigenshade_table::light;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The number of slants at which a response is computed. Between them it is interpolated: it is a
@@ -41,7 +40,7 @@ impl Response {
             }
             values
         };
-        Self { degree, nodes: (0..NODES).into_par_iter().map(node).collect() }
+        Self { degree, nodes: parallel::map(NODES, &(), node) }
     }
 
     /// Largest degree l.

@@ -8,6 +8,7 @@ use crate::sources::view::View;
 use eigenshade::{Highlights, Normals, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::source::Source;
+use eigenshade_model::task::Steps;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
@@ -45,9 +46,10 @@ struct Part {
 }
 
 impl<'a> Sample<'a> {
-    /// Samples pictures at the normals of [`View::sphere`], at all sizes of the materials.
+    /// Samples pictures at the normals of [`View::sphere`], at all sizes of the materials, with a
+    /// step for each view of each material.
     #[must_use]
-    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64) -> Self {
+    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64, steps: &Steps) -> Self {
         let mut sample = Self {
             views,
             materials,
@@ -62,7 +64,7 @@ impl<'a> Sample<'a> {
         for (v, view) in views.iter().enumerate() {
             let sphere = view.sphere(spacing);
             for (m, material) in materials.iter().enumerate() {
-                let pictures = view.pictures(material, &sphere.normals);
+                let pictures = steps.take(|| view.pictures(material, &sphere.normals));
                 for (size, truncated) in pictures.truncated.iter().enumerate() {
                     let lack = |c: usize, k: usize| pictures.reference[c][k] - truncated[c][k];
                     let lack = |c: usize, k: usize| (lack(c, k) / pictures.peak) as f32;

@@ -11,7 +11,6 @@ use eigenshade_model::error::Result;
 use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::{PI, TAU};
 
 /// An environment map after a rotation.
@@ -115,9 +114,5 @@ fn turned(map: &EnvironmentMap, matrix: [[f64; 3]; 3]) -> EnvironmentMap {
         }
         sum
     };
-    EnvironmentMap {
-        width,
-        height,
-        texels: (0..width * height).into_par_iter().map(texel).collect(),
-    }
+    EnvironmentMap { width, height, texels: parallel::map(width * height, &(), texel) }
 }

@@ -16,6 +16,7 @@ use crate::material::brdf::{Brdf, Slants};
 use eigenshade_model::irradiance::slant_radials;
 use eigenshade_model::scattering::norm;
 use eigenshade_model::special::quadrature::{Feature, gauss_legendre, spread};
+use eigenshade_model::task::checkpoint;
 use eigenshade_table::{material, pair};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
@@ -97,6 +98,7 @@ pub(super) fn integrated(brdf: &dyn Brdf, order: usize, count: usize) -> Sums {
     let pole = Feature { at: 0.0, scale: width };
     let mut sums = Sums::new(order);
     for (theta_i, weight_i) in spread(&unit, 0.0, FRAC_PI_2, &[pole, grazing], WIDEST) {
+        checkpoint();
         let ridge = Feature { at: theta_i, scale: width.min(FRAC_PI_2 - theta_i) };
         let mut row = Row::new(order);
         for (theta_r, weight_r) in spread(&unit, 0.0, theta_i, &[pole, ridge], WIDEST) {
