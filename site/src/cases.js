@@ -169,7 +169,11 @@ let asked = "";
 export async function showCase(/** @type {string} */ key) {
   if (asked === key) return;
   asked = key;
-  const made = await CASES[key].make();
+  const made = await CASES[key].make().catch((fault) => {
+    // It may be tried again.
+    if (asked === key) asked = "";
+    throw fault;
+  });
   if (asked !== key) return;
   for (const name of /** @type {const} */ (["ours", "naive"])) {
     const [picture, canvas, caption] = [made?.[name], find(`case-${name}`), find(`case-${name}-caption`)];

@@ -253,7 +253,7 @@ find("case").addEventListener("change", () => {
   refreshCase();
 });
 function refreshCase() {
-  if (shownTab() === "cases") showCase(state.case);
+  if (shownTab() === "cases") showCase(state.case).catch((fault) => fail(`The case cannot be shown: ${fault.message}`));
 }
 
 // ---- start ----

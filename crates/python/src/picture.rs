@@ -63,7 +63,11 @@ pub fn of_sphere(
         }
         Ok(part)
     });
-    let numbers = parts.into_iter().collect::<Result<Vec<_>>>()?.concat().into_flattened();
+    let mut numbers = Vec::with_capacity(4 * size * size);
+    // Each part is freed before the next is copied.
+    for part in parts {
+        numbers.extend_from_slice(part?.as_flattened());
+    }
     Ok(Array3::from_shape_vec((size, size, 4), numbers).expect("the numbers of all rows"))
 }
 

@@ -1,4 +1,4 @@
-//! Work that takes long, on threads that all calls share.
+//! Work that takes long, on threads that outlive a call.
 
 use crate::arrays::raised;
 use eigenshade_cli::messages::{progress_bar, spinner};
@@ -25,11 +25,11 @@ pub fn done<T: Send + 'static>(
     what: &'static str,
     work: impl FnOnce() -> Result<T> + Send + 'static,
 ) -> PyResult<T> {
-    let pool = pool().map_err(raised)?;
+    let pool = Pool::taken().map_err(raised)?;
     let task = Arc::new(Task::default());
     let (sender, receiver) = channel();
     let of_work = Arc::clone(&task);
-    pool.spawn(move || {
+    pool.threads.spawn(move || {
         // Without a result the sender is dropped.
         if let Ok(result) = catch_unwind(AssertUnwindSafe(|| of_work.run(work))) {
             // Nobody listens after Ctrl-C.
@@ -41,7 +41,10 @@ pub fn done<T: Send + 'static>(
     let result = loop {
         let next = py.detach(|| receiver.lock().expect("one reader").recv_timeout(PAUSE));
         match next {
-            Ok(result) => break result.map_err(raised),
+            Ok(result) => {
+                pool.give_back();
+                break result.map_err(raised);
+            }
             Err(RecvTimeoutError::Timeout) => {
                 let (finished, count) = task.steps();
                 let bar = match shown.take() {
@@ -49,12 +52,13 @@ pub fn done<T: Send + 'static>(
                     _ if count == 0 => (count, spinner(what)),
                     _ => (count, progress_bar(what, count)),
                 };
-                bar.1.set_position(finished as u64);
+                // Not back to 0 in work without steps.
+                if count > 0 {
+                    bar.1.set_position(finished as u64);
+                }
                 shown = Some(bar);
                 if let Err(interrupted) = py.check_signals() {
                     task.stop();
-                    // The next call must not wait for the last steps of this one.
-                    *POOL.lock().expect("no panic") = None;
                     break Err(interrupted);
                 }
             }
@@ -69,24 +73,33 @@ pub fn done<T: Send + 'static>(
     result
 }
 
-/// The threads, and the process that started them.
-static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+/// The threads of one call, and the process that started them.
+struct Pool {
+    process: u32,
+    threads: ThreadPool,
+}
 
-fn pool() -> Result<Arc<ThreadPool>> {
-    let mut shared = POOL.lock().expect("no panic");
-    let process = std::process::id();
-    // The child of a fork has a copy without threads, which would wait for them when dropped.
-    if let Some((_, copy)) = shared.take_if(|(of, _)| *of != process) {
-        std::mem::forget(copy);
+/// Those that no call uses. A call beside another one, or after one that was interrupted, starts its
+/// own, so that it does not wait for the other's steps.
+static IDLE: Mutex<Option<Pool>> = Mutex::new(None);
+
+impl Pool {
+    fn taken() -> Result<Self> {
+        let process = std::process::id();
+        match IDLE.lock().expect("no panic").take() {
+            Some(pool) if pool.process == process => return Ok(pool),
+            // The child of a fork has a copy without threads, which would wait for them when dropped.
+            Some(copy) => std::mem::forget(copy),
+            None => {}
+        }
+        let threads = ThreadPoolBuilder::new().build();
+        let threads = threads.map_err(|_| Error::new("no threads can be had", "end other programs"))?;
+        Ok(Self { process, threads })
     }
-    if let Some((_, pool)) = &*shared {
-        return Ok(Arc::clone(pool));
+
+    fn give_back(self) {
+        IDLE.lock().expect("no panic").get_or_insert(self);
     }
-    let pool = ThreadPoolBuilder::new().build();
-    let pool = pool.map_err(|_| Error::new("no threads can be had", "end other programs"))?;
-    let pool = Arc::new(pool);
-    *shared = Some((process, Arc::clone(&pool)));
-    Ok(pool)
 }
 
 /// Warnings of files that were read. Files do not know who reads them: with several threads, one
