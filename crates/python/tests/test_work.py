@@ -77,7 +77,7 @@ def test_other_threads_run_during_long_work():
 
     thread = threading.Thread(target=count, daemon=True)
     thread.start()
-    es.Table.make(TABLES / "pbr.toml")
+    make(None)
     is_done.set()
     thread.join()
     assert turns >= 3
@@ -97,10 +97,10 @@ def test_short_calls_do_not_wait_for_long_ones():
 
 
 def test_a_terminal_shows_a_bar():
-    """One step for each azimuth up to degree 12."""
+    """One step for each azimuth up to degree 32."""
     terminal, end = pty.openpty()
     fcntl.ioctl(end, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
-    code = f"import eigenshade; eigenshade.Table.make({str(TABLES / 'pbr.toml')!r})"
+    code = f"import eigenshade; eigenshade.Table.make({str(TABLES / 'pbr-32.toml')!r})"
     terminal_type = {**os.environ, "TERM": "xterm"}
     process = subprocess.Popen([sys.executable, "-c", code], stderr=end, env=terminal_type)
     os.close(end)
@@ -113,7 +113,7 @@ def test_a_terminal_shows_a_bar():
     os.close(terminal)
     assert process.wait() == 0
     assert b"eigenimages [" in shown
-    steps = [int(step) for step in re.findall(rb"(\d+)/13", shown)]
+    steps = [int(step) for step in re.findall(rb"(\d+)/33", shown)]
     assert steps and steps == sorted(steps)
 
 
