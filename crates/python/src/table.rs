@@ -175,7 +175,8 @@ impl Table {
                 let images = evaluator.eigenimages(batches[k]);
                 d.each_ref().map(|d| images.reconstruct(d))
             });
-            let channel = |c: usize| found.iter().map(|rgb| &rgb[c][..]).collect::<Vec<_>>().concat();
+            let channel =
+                |c: usize| found.iter().map(|rgb| &rgb[c][..]).collect::<Vec<_>>().concat();
             Ok([0, 1, 2].map(channel))
         })?;
         placed(&of_channels(py, &rgb).getattr("T")?, places, Some(3))

@@ -93,7 +93,8 @@ impl Pool {
             None => {}
         }
         let threads = ThreadPoolBuilder::new().build();
-        let threads = threads.map_err(|_| Error::new("no threads can be had", "end other programs"))?;
+        let threads =
+            threads.map_err(|_| Error::new("no threads can be had", "end other programs"))?;
         Ok(Self { process, threads })
     }
 
