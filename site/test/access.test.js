@@ -3,23 +3,12 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
+import { browser, server } from "./browser.js";
 import { SIZES } from "./screenshots.js";
-import { NO_WEBGL, ROOT, SITE, launch, open, serve, settled } from "./support.js";
+import { NO_WEBGL, ROOT, SITE, open, settled } from "./support.js";
 
 const AXE = readFileSync(join(SITE, "node_modules/axe-core/axe.min.js"), "utf8");
-
-let browser, server;
-
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
 
 describe("the page", { concurrency: 4 }, () => {
   for (const [colorScheme, width, height] of [["light", 360, 560], ["dark", 360, 560], ["dark", 1000, 560]]) {

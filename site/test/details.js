@@ -1,23 +1,12 @@
 // The details in a browser: a page for each test, its pixels, and its controls.
 
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { NO_WEBGL, launch, open, serve, settled } from "./support.js";
+import { describe, test } from "node:test";
+import { browser, server } from "./browser.js";
+import { NO_WEBGL, open, settled } from "./support.js";
 
 /** Small, so that rendering in software is fast. */
 export const SMALL = { width: 360, height: 480 };
-
-export let browser, server;
-
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
 
 const tests = [];
 /** A test of a page, which ends without a fault that it does not expect. `runs` runs all. */

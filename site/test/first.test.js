@@ -3,24 +3,13 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { FIRST, began } from "../src/begin.js";
 import { toward } from "../src/follow.js";
 import { MOST } from "../src/packed.js";
 import { LIGHT, SOURCES } from "../src/parts.js";
-import { NO_WEBGL, ROOT, SITE, eggFile, launch, open, serve, settled } from "./support.js";
-
-let browser, server;
-
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+import { browser, server } from "./browser.js";
+import { NO_WEBGL, ROOT, SITE, eggFile, open, settled } from "./support.js";
 
 /** In the page: the mean place of the light on the object, each from -1 to 1, and the mean code. */
 function brightness() {

@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { apart, choose, keep, on, runs, said, server, tab, text } from "./details.js";
+import { server } from "./browser.js";
+import { apart, choose, keep, on, runs, said, tab, text } from "./details.js";
 import { drop, hdrFile, offsets } from "./files.js";
 import { ROOT, settled } from "./support.js";
 

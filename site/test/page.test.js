@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { CPU, SMALL, apart, browser, choose, helpers, keep, on, runs, said, tab, text } from "./details.js";
+import { browser } from "./browser.js";
+import { CPU, SMALL, apart, choose, helpers, keep, on, runs, said, tab, text } from "./details.js";
 import { SITE, open, settled } from "./support.js";
 
 for (const sources of [0, 4]) on(`the sphere is what the CPU module draws, to two codes, ${sources} sources`, `object=sphere&step=9&sources=${sources}`, async (page) => {
