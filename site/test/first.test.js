@@ -30,7 +30,7 @@ function brightness() {
 
 const text = (page, id) => page.locator(`#${id}`).textContent();
 
-describe("the first sight", { concurrency: 4 }, () => {
+describe("the first sight", { concurrency: 2 }, () => {
   test("before the first picture there are at most ten requests and 200 KB, without compression", async () => {
     const page = await browser.newPage({ viewport: { width: 390, height: 780 } });
     await page.goto(server.address);

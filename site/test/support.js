@@ -34,8 +34,11 @@ export async function open(browser, address, { hash = "", width = 1440, height =
   return { page, faults };
 }
 
-/** Waits until the picture and its numbers are those of the state. */
-export const settled = (page) => page.waitForFunction(() => document.documentElement.dataset.busy === "false", null, { timeout: 15000 });
+/**
+ * Waits until the picture and its numbers are those of the state: less than a second, but up to a
+ * minute of rendering in software on processors that do other work.
+ */
+export const settled = (page) => page.waitForFunction(() => document.documentElement.dataset.busy === "false", null, { timeout: 60e3 });
 
 /** Takes WebGL 2 from a page: the CPU draws, which is faster than rendering in software. */
 export const NO_WEBGL = `const { getContext } = HTMLCanvasElement.prototype;
