@@ -3,7 +3,7 @@
 
 use super::cases::{glossy, matte, pit, sheets, triangles};
 use super::oracle::{Glossy, Sky, hit, is_hit, percent};
-use super::{lights, lobby, object, surface};
+use super::{every, lights, lobby, object, surface};
 use eigenshade_generator::material::brdf::Lambertian;
 use eigenshade_generator::object::mesh_data::Mesh;
 use eigenshade_model::vector::dot;
@@ -109,10 +109,10 @@ fn a_pit_and_sheets_reflect_as_the_oracle() {
                 Glossy::Ggx(_) => material.albedo(2000),
             };
             let [none, one] = [0, 1].map(|bounces| {
-                irradiance(&object(&surface, 32, Material::Formula(&*brdf), bounces), &light)
+                irradiance(&every(17, &surface, 32, Material::Formula(&*brdf), bounces), &light)
             });
             let white = one.iter().copied().fold(0.0, f64::max);
-            let found: Vec<f64> = one.iter().zip(&none).map(|(a, b)| a - b).step_by(17).collect();
+            let found: Vec<f64> = one.iter().zip(&none).map(|(a, b)| a - b).collect();
             let inner = Sky::new(&light, 500, 0.5);
             let blocked = |from, along| is_hit(&triangles, from, along);
             let radiance = |from: [f64; 3], along: [f64; 3]| {

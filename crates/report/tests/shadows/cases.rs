@@ -1,7 +1,7 @@
 //! Hard cases against the oracle and against formulas.
 
 use super::oracle::{Glossy, Heights, Sky, is_hit, percent};
-use super::{DEGREE, lobby, object, shadowed, surface};
+use super::{DEGREE, every, lobby, object, shadowed, surface};
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian};
 use eigenshade_generator::object::mesh_data::Mesh;
 use eigenshade_generator::object::points::Point;
@@ -115,20 +115,20 @@ pub fn triangles(surface: &Surface) -> Vec<[[f64; 3]; 3]> {
     surface.facets.iter().map(|facet| facet.corners).collect()
 }
 
-/// Compares one pixel in `every` with the oracle: the rms difference in percent of the largest irradiance,
+/// Compares one pixel in `step` with the oracle: the rms difference in percent of the largest irradiance,
 /// and the oracle's own with other directions.
 fn apart(
     surface: &Surface,
     size: usize,
-    every: usize,
+    step: usize,
     (given, material): (Material<'_>, Glossy),
     blocked: super::oracle::Blocked<'_>,
 ) -> [f64; 2] {
     let light = lobby();
-    let found = object(surface, size, given, 0).irradiance(&light, &[1.0]);
+    let found = every(step, surface, size, given, 0).irradiance(&light, &[1.0]);
     let pixels = Pixels::new(surface, size).unwrap();
-    let chosen: Vec<_> = pixels.points().into_iter().step_by(every).collect();
-    let found: Vec<f64> = found.iter().step_by(every).map(|&one| f64::from(one)).collect();
+    let chosen: Vec<_> = pixels.points().into_iter().step_by(step).collect();
+    let found: Vec<f64> = found.into_iter().map(f64::from).collect();
     let one = |start| Sky::new(&light, DIRECTIONS, start).irradiances(&chosen, material, blocked);
     let (expected, again) = (one(0.0), one(1.0));
     [percent(&expected, &found), percent(&expected, &again)]

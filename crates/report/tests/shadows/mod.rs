@@ -43,13 +43,26 @@ fn surface(mesh: &Mesh, is_flat: bool) -> Surface {
 
 /// An object, with a number of reflections between its parts.
 fn object(surface: &Surface, size: usize, material: Material<'_>, bounces: usize) -> Object {
+    every(1, surface, size, material, bounces)
+}
+
+/// Every `step`-th pixel of an object.
+fn every(
+    step: usize,
+    surface: &Surface,
+    size: usize,
+    material: Material<'_>,
+    bounces: usize,
+) -> Object {
     let pixels = Pixels::new(surface, size).unwrap();
+    let points: Vec<_> = pixels.points().into_iter().step_by(step).collect();
     let occluders = Occluders::new(&surface.facets);
     let around = Surroundings { occluders: &occluders, bounces };
     let harmonics = harmonics();
     let light = Columns { degree: Some(DEGREE), all: harmonics.as_ref() };
-    let transports = transports(&pixels.points(), Some(around), &[material], light, &());
-    Object { size, degree: DEGREE, pixels: pixels.covered, transports }
+    let transports = transports(&points, Some(around), &[material], light, &());
+    let pixels = pixels.covered.into_iter().step_by(step).collect();
+    Object { size, degree: DEGREE, pixels, transports }
 }
 
 /// An object whose surface is black to its pixels.
