@@ -9,6 +9,7 @@ use eigenshade_shadows::object::Object;
 use eigenshade_table::material;
 use faer::Mat;
 use report::shadow_shapes::SHAPES;
+use std::sync::LazyLock;
 
 const DEGREE: usize = 3;
 const COUNT: usize = 16;
@@ -31,15 +32,20 @@ struct Modes {
     weights: Vec<f64>,
 }
 
+/// For each mode of the material the transports of the bowl.
+static TRANSPORTS: LazyLock<Vec<Mat<f32>>> = LazyLock::new(|| {
+    let (_, mesh) = SHAPES[5];
+    let count = material::count(ORDER);
+    let units: Vec<Vec<f64>> =
+        (0..count).map(|j| (0..count).map(|k| f64::from(u8::from(j == k))).collect()).collect();
+    let parts: Vec<Material<'_>> = units.iter().map(|one| Material::Series(one)).collect();
+    let surface = surface(&mesh(), false);
+    Object::new(&surface, 16, DEGREE, &parts, &()).unwrap().transports
+});
+
 impl Modes {
     fn new() -> Self {
-        let (_, mesh) = SHAPES[5];
-        let count = material::count(ORDER);
-        let units: Vec<Vec<f64>> =
-            (0..count).map(|j| (0..count).map(|k| f64::from(u8::from(j == k))).collect()).collect();
-        let parts: Vec<Material<'_>> = units.iter().map(|one| Material::Series(one)).collect();
-        let Object { transports, .. } =
-            Object::new(&surface(&mesh(), false), 16, DEGREE, &parts, &()).unwrap();
+        let (count, transports) = (material::count(ORDER), TRANSPORTS.clone());
         let light = LightRoot::new(&lights().truncated(DEGREE), Turns::All).unwrap();
         let weights = (0..count).map(|j| 1.0 / (1.0 + j as f64)).collect();
         Self { all: Self::all(&transports), transports, light, weights }
