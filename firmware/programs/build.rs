@@ -43,6 +43,7 @@ fn write_all() -> Result<()> {
     write("golden.rs", golden::modules()?)?;
     write("one_material.rs", of_one_material()?)?;
     write("highlights.rs", highlights::constants()?)?;
+    write("ball.bin", object::ball(240)?)?;
     write("object.bin", object::sphere(120)?)?;
     write("shadowed.bin", object::shadowed()?)?;
     let mut programs = list::programs().into_iter();

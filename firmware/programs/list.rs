@@ -82,9 +82,4 @@ impl Program {
     pub fn file(&self) -> String {
         self.in_format(self.source) + ".rs"
     }
-
-    /// Whether it has a table of the package `tables`, which takes long to compile.
-    pub fn needs_tables(&self) -> bool {
-        !["", "sphere"].contains(&self.table)
-    }
 }

@@ -159,12 +159,12 @@ const REJECTED: [(&str, Board, Step, &str); 6] = [
 /// errors.
 pub fn test() -> Result<()> {
     for (program, board, step, reason) in REJECTED {
-        let built = toolchain::build(&[board.target], "gates", &[program], "fast", &[]);
+        let built = toolchain::build(&[board.target], "gates", &[program], "3");
         let checked = match step {
             Step::Linker => built,
             Step::Check => {
                 built?;
-                let linked = Linked::read(&toolchain::binary(board.target, "fast", program))?;
+                let linked = Linked::read(&toolchain::binary(board.target, program))?;
                 check(board, program, &linked)
             }
         };

@@ -1,6 +1,7 @@
 //! Builds the programs for the emulated boards, runs them, checks the linked files, and counts
 //! instructions: see `firmware/README.md`.
 
+#[expect(dead_code, reason = "the build script reads the tables")]
 #[path = "../../programs/list.rs"]
 mod list;
 
@@ -118,13 +119,11 @@ fn build(boards: &[(Board, &[Program])]) -> Result<()> {
         let runs = |programs: &[Program]| programs.iter().any(|one| one.name() == program.name());
         let of_program = boards.iter().filter(|(_, programs)| runs(programs));
         let targets = of_program.map(|(board, _)| board.target).collect();
-        groups.entry((program.profile(), targets)).or_default().push(program);
+        groups.entry((program.opt_level(), targets)).or_default().push(program);
     }
-    groups.into_iter().try_for_each(|((profile, targets), programs)| {
+    groups.into_iter().try_for_each(|((opt_level, targets), programs)| {
         let names: Vec<String> = programs.iter().map(Program::name).collect();
-        let needs_tables = programs.iter().any(Program::needs_tables);
-        let features: &[&str] = if needs_tables { &["tables"] } else { &[] };
-        toolchain::build(&targets, "programs", &names, profile, features)
+        toolchain::build(&targets, "programs", &names, opt_level)
     })
 }
 
@@ -164,7 +163,7 @@ fn run(
 /// Checks what was linked and runs it, on all processors: sizes and output of each program.
 fn outputs(board: Board, programs: &[Program]) -> Result<Vec<(gate::Sizes, String)>> {
     let outputs = programs.par_iter().map(|program| {
-        let path = toolchain::binary(board.target, program.profile(), &program.name());
+        let path = toolchain::binary(board.target, &program.name());
         let linked = gate::Linked::read(&path)?;
         gate::check(board, &program.name(), &linked)?;
         Ok((linked.sizes, toolchain::run(program.machine(board), &path)?))

@@ -50,8 +50,7 @@ pub fn write_programs() -> Result<()> {
 fn programs() -> Result<String> {
     let [path, start, end] = PROGRAMS;
     let line = |one: &list::Program| {
-        let feature = if one.needs_tables() { ", required-features = [\"tables\"]" } else { "" };
-        format!("    {{ name = \"{}\", path = \"src/{}\"{feature} }},\n", one.name(), one.file())
+        format!("    {{ name = \"{}\", path = \"src/{}\" }},\n", one.name(), one.file())
     };
     let lines: String = list::programs().iter().map(line).collect();
     between(path, &read(path)?, [start, end], &lines)

@@ -101,8 +101,9 @@ impl Program {
         }
     }
 
-    pub fn profile(&self) -> &'static str {
-        if self.kind() == Kind::Complete { "small" } else { "fast" }
+    /// Complete programs are small, because their flash has a limit.
+    pub fn opt_level(&self) -> &'static str {
+        if self.kind() == Kind::Complete { "s" } else { "3" }
     }
 
     /// The machine that a program of this board runs on. Large ones of the micro:bit have the memory

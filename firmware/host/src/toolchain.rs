@@ -12,22 +12,25 @@ use std::process::{Command, Output};
 /// Debian's compiler and linker.
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
 
-/// Builds programs of a package with these features, for some targets side by side.
+/// The profile of all programs: what does not depend on `opt_level` is built once.
+const PROFILE: &str = "fast";
+
+/// Builds programs of a package, for some targets side by side.
 pub fn build(
     targets: &[&str],
     package: &str,
     binaries: &[impl AsRef<OsStr>],
-    profile: &str,
-    features: &[&str],
+    opt_level: &str,
 ) -> Result<()> {
     if binaries.is_empty() || targets.is_empty() {
         return Ok(());
     }
     let mut command = Command::new("cargo");
-    command.args(["build", "--quiet", "--profile", profile, "-p", package]);
+    command
+        .args(["build", "--quiet", "--profile", PROFILE, "-p", package])
+        .env("CARGO_PROFILE_FAST_OPT_LEVEL", opt_level);
     targets.iter().for_each(|target| _ = command.args(["--target", target]));
     binaries.iter().for_each(|binary| _ = command.arg("--bin").arg(binary));
-    features.iter().for_each(|feature| _ = command.args(["--features", feature]));
     if is_debian() {
         command
             .args(["-Zbuild-std=core", "--target-dir", "target/debian"])
@@ -51,9 +54,9 @@ fn is_debian() -> bool {
 }
 
 /// The path of a linked program.
-pub fn binary(target: &str, profile: &str, name: &str) -> PathBuf {
+pub fn binary(target: &str, name: &str) -> PathBuf {
     let folder = if is_debian() { "target/debian" } else { "target" };
-    Path::new(folder).join(target).join(profile).join(name)
+    Path::new(folder).join(target).join(PROFILE).join(name)
 }
 
 /// The compiler's name and version, on which the counts depend.

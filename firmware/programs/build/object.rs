@@ -1,9 +1,16 @@
-//! A textured sphere as a packed object, and the file of an object with shadows.
+//! The codes of a sphere, a textured one as a packed object, and the file of an object with shadows.
 
 use crate::Result;
-use eigenshade::object::{Disc, Region};
+use eigenshade::object::{Disc, NormalMap, Region};
 use eigenshade_table::object::{Pixel, encode};
 use eigenshade_table::shadowed;
+
+/// The codes of a sphere. The compiler takes seconds to compute them.
+pub fn ball(size: usize) -> Result<Vec<u8>> {
+    let mut codes = vec![NormalMap::BACKGROUND; size * size];
+    NormalMap::sphere(size, &mut codes).map_err(|error| error.to_string())?;
+    Ok(codes.into_flattened())
+}
 
 /// A sphere of glossy plastic, with a checkerboard of 16 base colors.
 pub fn sphere(size: u16) -> Result<Vec<u8>> {

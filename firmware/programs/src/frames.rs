@@ -146,7 +146,7 @@ pub fn frame_matcap() {
     let (matcap, mut row) = (black_box([[0x12_u8, 0x34]; 64 * 64]), [[0; 2]; BALL]);
     holds(size_of_val(&matcap) + size_of_val(&row));
     measure(&[()], Passes(1), |()| {
-        for codes in programs::CODES.as_chunks::<BALL>().0 {
+        for codes in programs::CODES.as_chunks::<2>().0.as_chunks::<BALL>().0 {
             matcap_row(&matcap, codes, &mut row);
             black_box(&mut row);
         }

@@ -44,12 +44,8 @@ pub static DISPLAY: Display = Display::new(Tone::Filmic);
 /// Pixels across a picture of a sphere.
 pub const BALL: usize = 240;
 
-/// The sphere's codes.
-pub static CODES: [[u8; 2]; BALL * BALL] = {
-    let mut codes = [NormalMap::BACKGROUND; BALL * BALL];
-    assert!(NormalMap::sphere(BALL, &mut codes).is_ok());
-    codes
-};
+/// The sphere's codes, of two bytes.
+pub static CODES: [u8; 2 * BALL * BALL] = *include_bytes!(concat!(env!("OUT_DIR"), "/ball.bin"));
 
 /// The normals of a sphere.
 ///
@@ -57,7 +53,7 @@ pub static CODES: [[u8; 2]; BALL * BALL] = {
 ///
 /// None: the size is right.
 pub fn ball() -> Result<NormalMap<'static>, Error> {
-    NormalMap::new(BALL, BALL, CODES.as_flattened())
+    NormalMap::new(BALL, BALL, &CODES)
 }
 
 /// A textured plastic sphere of 120 x 120 pixels.
