@@ -77,7 +77,7 @@ def test_other_threads_run_during_long_work():
 
     thread = threading.Thread(target=count, daemon=True)
     thread.start()
-    make(None)
+    shade(None)
     is_done.set()
     thread.join()
     assert turns >= 3
